@@ -1,0 +1,106 @@
+#include "image/image.h"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace gnomon {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class ImageFile : public testing::Test {
+  protected:
+    ImageFile() { std::filesystem::create_directories(m_folder); }
+    ~ImageFile() override { std::filesystem::remove_all(m_folder); }
+
+    std::size_t filesInFolder() const {
+        return std::size_t(std::distance(std::filesystem::directory_iterator(m_folder), {}));
+    }
+
+    std::filesystem::path m_folder =
+        std::filesystem::temp_directory_path() / ("gnomon_image_test_" + std::to_string(getpid()));
+};
+
+/// Every channel takes all values, so that alpha is 0 where colours aren't.
+Image ramp(int channels) {
+    Image image{.width = 64, .height = 16, .channels = channels};
+    for (int i = 0; i < 64 * 16 * channels; ++i) image.data.push_back(std::uint8_t(i * 7));
+    return image;
+}
+
+std::string errorOf(const std::function<void()>& action) {
+    try {
+        action();
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return "no error";
+}
+
+class ImageChannels : public ImageFile, public testing::WithParamInterface<int> {};
+
+TEST_P(ImageChannels, ComeBackUnchangedFromPng) {
+    const auto file = m_folder / "ramp.png";
+    writeImage(file, ramp(GetParam()));
+    EXPECT_EQ(readImage(file), ramp(GetParam()));
+}
+
+INSTANTIATE_TEST_SUITE_P(OneToFour, ImageChannels, testing::Range(1, 5));
+
+TEST_F(ImageFile, LeavesNothingElseBesideIt) {
+    writeImage(m_folder / "a.png", ramp(3));
+    writeImage(m_folder / "a.png", ramp(4));
+    EXPECT_EQ(filesInFolder(), 1u);
+    EXPECT_EQ(readImage(m_folder / "a.png").channels, 4);
+}
+
+TEST_F(ImageFile, HasRowsFromTheTop) {
+    Image image{.width = 1, .height = 2, .channels = 1, .data = {255, 0}};
+    const auto file = m_folder / "rows.pgm";
+    writeImage(file, image);
+    std::ifstream stream(file, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
+    ASSERT_GE(bytes.size(), 2u);
+    EXPECT_EQ(bytes.substr(bytes.size() - 2), std::string("\xff\0", 2));
+}
+
+TEST_F(ImageFile, MayHaveAnyUtf8Name) {
+    const auto file = m_folder / "Schattenwürfe 影.png";
+    writeImage(file, ramp(3));
+    EXPECT_EQ(readImage(file), ramp(3));
+}
+
+TEST_F(ImageFile, CannotBeWrittenToMissingFolder) {
+    const auto file = m_folder / "missing" / "a.png";
+    EXPECT_THAT(errorOf([&] { writeImage(file, ramp(3)); }), StartsWith(file.string() + ": "));
+}
+
+TEST_F(ImageFile, CannotReplaceFolderAndLeavesNothing) {
+    const auto file = m_folder / "folder.png";
+    std::filesystem::create_directories(file / "inside");
+    EXPECT_THAT(errorOf([&] { writeImage(file, ramp(3)); }), StartsWith(file.string() + ": "));
+    EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(ImageFile, OfUnknownKindIsRefused) {
+    EXPECT_THAT(errorOf([&] { writeImage(m_folder / "a.nothing", ramp(3)); }), HasSubstr("a.nothing: "));
+    EXPECT_EQ(filesInFolder(), 0u);
+}
+
+TEST_F(ImageFile, ThatIsMissingOrBrokenIsRefusedInOneLine) {
+    EXPECT_THAT(errorOf([&] { readImage(m_folder / "none.png"); }), HasSubstr("none.png: "));
+
+    const auto file = m_folder / "cut.png";
+    writeImage(file, ramp(3));
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    const std::string error = errorOf([&] { readImage(file); });
+    EXPECT_THAT(error, StartsWith(file.string() + ": "));
+    EXPECT_EQ(error.find('\n'), std::string::npos) << error;
+}
+
+}  // namespace
+}  // namespace gnomon
