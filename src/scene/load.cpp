@@ -1,0 +1,138 @@
+#include "scene/load.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "scene/framing.h"
+#include "scene/mesh_file.h"
+#include "scene/scene_file.h"
+#include "scene/text.h"
+
+namespace gnomon {
+namespace {
+
+template <typename Vector>
+void requireCoordinates(const char* argument, const Vector& value) {
+    for (int k = 0; k < Vector::length(); ++k)
+        if (const std::string fault = coordinateFault(double(value[k])); !fault.empty())
+            throw SceneError(fmt::format("{}: {}", argument, fault));
+}
+
+void checkOverrides(const SceneOverrides& overrides) {
+    if (overrides.light) {
+        requireCoordinates("light", *overrides.light);
+        if (overrides.light->w != 0 && overrides.light->w != 1)
+            throw SceneError(fmt::format("light: w is {}, not 0 or 1", overrides.light->w));
+        if (overrides.light->w == 0 && glm::vec3(*overrides.light) == glm::vec3(0))
+            throw SceneError("light: the direction is zero");
+    }
+    if (overrides.eye) requireCoordinates("eye", *overrides.eye);
+    if (overrides.target) requireCoordinates("target", *overrides.target);
+    if (overrides.fovDegrees && !(*overrides.fovDegrees > 0 && *overrides.fovDegrees < 180))
+        throw SceneError(fmt::format("fov: {} is not between 0 and 180 degrees", *overrides.fovDegrees));
+    if (overrides.nearPlane && !(*overrides.nearPlane > 0 && std::isfinite(*overrides.nearPlane)))
+        throw SceneError(fmt::format("near: {} is not a positive distance", *overrides.nearPlane));
+}
+
+/// What the cameras of a mesh file leave open: a near plane that a depth buffer can live with.
+void adoptCameras(const MeshFile& mesh, const Bounds& bounds, Scene& scene) {
+    const float least = float(bounds.radius / 1000);
+    std::size_t changed = 0;
+    for (Camera camera : mesh.cameras) {
+        if (!(camera.nearPlane >= least && std::isfinite(camera.nearPlane))) {
+            camera.nearPlane = least;
+            ++changed;
+        }
+        scene.frames.push_back(camera);
+    }
+    if (changed > 0)
+        scene.notes.push_back(
+            fmt::format("near plane of {} camera{} moved out to {:.4g}, a thousandth of the radius", changed,
+                        changed == 1 ? "" : "s", least));
+}
+
+Scene sceneOfMesh(const std::filesystem::path& file, const SceneOverrides& overrides) {
+    MeshFile mesh = loadMeshFile(file);
+    Scene scene;
+    scene.id = file.string();
+    scene.title = file.filename().string();
+    scene.objects = std::move(mesh.objects);
+    scene.notes = std::move(mesh.notes);
+    const Bounds bounds = boundsOf(scene.objects);
+
+    adoptCameras(mesh, bounds, scene);
+    if (scene.frames.empty())
+        scene.frames.push_back(framingCamera(bounds, overrides.fovDegrees.value_or(45)));
+    scene.lights = std::move(mesh.lights);
+    if (scene.lights.empty()) scene.lights.push_back(framingLight(bounds));
+    return scene;
+}
+
+/// @param bounds of the scene without the ground
+void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene& scene) {
+    if (overrides.light) {
+        Light light{.position = *overrides.light};
+        if (light.position.w == 0)
+            light.position = glm::vec4(glm::vec3(glm::normalize(glm::dvec3(light.position))), 0);
+        scene.lights = {light};
+    }
+    if (overrides.eye || overrides.target) {
+        Camera camera = scene.frames.front();
+        if (overrides.eye && !overrides.target) camera.target = glm::vec3(bounds.centre);
+        if (overrides.eye) camera.eye = *overrides.eye;
+        if (overrides.target) camera.target = *overrides.target;
+        if (camera.eye == camera.target) throw SceneError("eye: the same point as the target");
+        camera.nearPlane = nearPlaneFor(bounds, camera.eye, camera.target);
+        scene.frames = {camera};
+    }
+    for (Camera& camera : scene.frames) {
+        if (overrides.fovDegrees) camera.fovDegrees = *overrides.fovDegrees;
+        if (overrides.nearPlane) camera.nearPlane = *overrides.nearPlane;
+    }
+}
+
+}  // namespace
+
+Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+    checkOverrides(overrides);
+    const bool isToml = file.extension() == ".toml";
+    if (!isToml && !isMeshFile(file)) {
+        readWhole(file);  // a folder, or nothing at all, is the better complaint
+        fail(file, "unknown kind of file, known: .toml .obj .ply .stl .gltf .glb");
+    }
+    Scene scene = isToml ? loadSceneFile(file) : sceneOfMesh(file, overrides);
+    const Bounds bounds = boundsOf(scene.objects);
+    applyOverrides(overrides, bounds, scene);
+    const bool isGltf = file.extension() == ".gltf" || file.extension() == ".glb";
+    if (overrides.ground.value_or(!isToml && !isGltf)) scene.objects.push_back(groundBelow(bounds));
+    if (scene.lights.size() > 1)
+        scene.notes.push_back(fmt::format("{} lights in the file; the first is used", scene.lights.size()));
+    return scene;
+}
+
+std::filesystem::path findScene(const std::string& idOrFile, const std::filesystem::path& folder) {
+    std::error_code ignored;
+    const bool isFile =
+        std::filesystem::exists(idOrFile, ignored) && !std::filesystem::is_directory(idOrFile);
+    if (isFile) return idOrFile;
+    const std::vector<std::string> ids = sceneIds(folder);
+    if (std::find(ids.begin(), ids.end(), idOrFile) != ids.end()) return folder / (idOrFile + ".toml");
+    throw SceneError(
+        fmt::format("{}: neither a file nor a scene, known: {}", printable(idOrFile), fmt::join(ids, ", ")));
+}
+
+std::vector<std::string> sceneIds(const std::filesystem::path& folder) {
+    std::vector<std::string> ids;
+    std::error_code error;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+        if (entry.path().extension() == ".toml" && entry.is_regular_file())
+            ids.push_back(entry.path().stem().string());
+    std::sort(ids.begin(), ids.end());
+    return ids;
+}
+
+}  // namespace gnomon

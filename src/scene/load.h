@@ -1,0 +1,40 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+/// A scene or mesh file that can't be used. what() is one line, "file:line: what", or "file: what" where the
+/// format has no lines.
+struct SceneError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// What the command line says of light and camera; what is left out comes from the file, else it frames the
+/// scene.
+struct SceneOverrides {
+    std::optional<glm::vec4> light{};  ///< world space, homogeneous (a direction is normalised by the loader)
+    std::optional<glm::vec3> eye{}, target{};
+    std::optional<float> fovDegrees{}, nearPlane{};
+    std::optional<bool>
+        ground{};  ///< add a floor below the meshes; default: to OBJ, PLY and STL, not to glTF
+};
+
+/// Loads a scene file (.toml) or a mesh file (.obj .ply .stl .gltf .glb).
+/// @throws SceneError for anything that can't be drawn: unreadable or malformed file, no triangle left
+Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+
+/// Resolves --scene: a file that exists, else an id in @p folder ("boxes" -> folder/boxes.toml).
+/// @throws SceneError that names the known ids
+std::filesystem::path findScene(const std::string& idOrFile, const std::filesystem::path& folder);
+
+/// Ids of all scene files in @p folder, sorted.
+std::vector<std::string> sceneIds(const std::filesystem::path& folder);
+
+}  // namespace gnomon

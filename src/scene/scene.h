@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// A triangle mesh in world space. Vertices that coincide exactly are one vertex.
+struct Mesh {
+    std::vector<glm::vec3> positions{};
+    std::vector<glm::uvec3> triangles{};  ///< counter-clockwise seen from the front
+};
+
+/// A mesh with what shadows and shading need to know of it.
+struct Object {
+    std::string name{};
+    Mesh mesh{};
+    glm::vec3 colour{0.8f};  ///< diffuse reflectance, 0..1
+    bool casts = true;       ///< its triangles are casters; every object is a receiver
+    bool twoSided = false;   ///< both sides of its triangles cast; otherwise only those that face the light
+};
+
+/// A light in homogeneous world coordinates: (x, y, z, 1) is a point light, (x, y, z, 0) a directional light
+/// with the unit vector *towards* the light.
+struct Light {
+    glm::vec4 position{0, 10, 0, 1};
+    glm::vec3 colour{1.0f};
+};
+
+/// A pinhole camera. The projection is infinite: there is no far plane.
+struct Camera {
+    glm::vec3 eye{0, 0, 5};
+    glm::vec3 target{0};
+    glm::vec3 up{0, 1, 0};
+    float fovDegrees = 45;   ///< vertical
+    float nearPlane = 0.1f;  ///< distance of the near plane from the eye
+};
+
+/// All that a frame shows. Value type; owns its meshes.
+struct Scene {
+    std::string id{};     ///< file stem, or the path as given for a mesh file
+    std::string title{};  ///< one line for lists
+    std::vector<Object> objects{};
+    std::vector<Light> lights{};
+    std::vector<Camera> frames{};  ///< the camera path, at least one
+    float ambient = 0.2f;          ///< share of the reflectance that shows without any light, 0..1
+    glm::vec3 background{0.5f, 0.6f, 0.7f};
+    /// What the loader dropped or chose, one line each: "12 degenerate triangles dropped".
+    std::vector<std::string> notes{};
+};
+
+/// Number of triangles of all objects.
+std::size_t triangleCount(const Scene& scene);
+
+}  // namespace gnomon

@@ -1,0 +1,318 @@
+#include "scene/scene_file.h"
+
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <initializer_list>
+#include <limits>
+#include <numeric>
+
+#include "scene/mesh_file.h"
+#include "scene/primitives.h"
+#include "scene/text.h"
+#include "scene/weld.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double kLargest = kMaxCoordinate;
+
+/// One table of the file, with errors that name its lines.
+class Table {
+  public:
+    Table(const std::filesystem::path& file, const toml::table& table) : m_file(file), m_table(table) {}
+
+    [[noreturn]] void bad(const toml::node& node, std::string_view what) const {
+        fail(m_file, node.source().begin.line, what);
+    }
+    [[noreturn]] void bad(std::string_view what) const {
+        // The root table of an empty file has no line.
+        fail(m_file, std::max(m_table.source().begin.line, toml::source_index(1)), what);
+    }
+
+    bool has(std::string_view key) const { return m_table.contains(key); }
+    const std::filesystem::path& file() const { return m_file; }
+
+    void allow(const std::vector<std::string_view>& keys, std::string_view where) const {
+        for (const auto& [key, value] : m_table)
+            if (std::find(keys.begin(), keys.end(), key.str()) == keys.end())
+                fail(m_file, key.source().begin.line,
+                     fmt::format("unknown key '{}' in {}", printable(key.str()), where));
+    }
+
+    const toml::node& need(std::string_view key) const {
+        const toml::node* node = m_table.get(key);
+        if (node == nullptr) bad(fmt::format("'{}' is missing", key));
+        return *node;
+    }
+
+    double number(std::string_view key, double least, double most) const {
+        return numberOf(need(key), key, least, most);
+    }
+    double number(std::string_view key, double least, double most, double otherwise) const {
+        return has(key) ? number(key, least, most) : otherwise;
+    }
+
+    int integer(std::string_view key, int least, int most, int otherwise) const {
+        if (!has(key)) return otherwise;
+        const toml::node& node = need(key);
+        const auto value = node.as_integer();
+        if (value == nullptr || value->get() < least || value->get() > most)
+            bad(node, fmt::format("'{}' must be a whole number from {} to {}", key, least, most));
+        return int(value->get());
+    }
+
+    std::string text(std::string_view key) const {
+        const auto value = need(key).as_string();
+        if (value == nullptr) bad(need(key), fmt::format("'{}' must be a string", key));
+        return value->get();
+    }
+    std::string text(std::string_view key, const std::string& otherwise) const {
+        return has(key) ? text(key) : otherwise;
+    }
+
+    bool flag(std::string_view key, bool otherwise) const {
+        if (!has(key)) return otherwise;
+        const auto value = need(key).as_boolean();
+        if (value == nullptr) bad(need(key), fmt::format("'{}' must be true or false", key));
+        return value->get();
+    }
+
+    template <std::size_t N>
+    std::array<double, N> numbers(std::string_view key, double least = -kLargest,
+                                  double most = kLargest) const {
+        const toml::node& node = need(key);
+        const toml::array* values = node.as_array();
+        if (values == nullptr || values->size() != N)
+            bad(node, fmt::format("'{}' must be an array of {} numbers", key, N));
+        std::array<double, N> out{};
+        for (std::size_t k = 0; k < N; ++k) out[k] = numberOf((*values)[k], key, least, most);
+        return out;
+    }
+    glm::dvec3 vector(std::string_view key, double least = -kLargest, double most = kLargest) const {
+        const auto v = numbers<3>(key, least, most);
+        return {v[0], v[1], v[2]};
+    }
+    glm::dvec3 vector(std::string_view key, const glm::dvec3& otherwise) const {
+        return has(key) ? vector(key) : otherwise;
+    }
+    glm::vec3 colour(std::string_view key, const glm::vec3& otherwise) const {
+        return has(key) ? glm::vec3(vector(key, 0, 1)) : otherwise;
+    }
+
+    Table table(std::string_view key) const {
+        const toml::table* inner = need(key).as_table();
+        if (inner == nullptr) bad(need(key), fmt::format("'{}' must be a table", key));
+        return {m_file, *inner};
+    }
+    std::vector<Table> tables(std::string_view key) const {
+        std::vector<Table> out;
+        const toml::array* array = need(key).as_array();
+        if (array == nullptr || array->empty() || !array->is_homogeneous<toml::table>())
+            bad(need(key), fmt::format("'{}' must be tables: [[{}]]", key, key));
+        for (const toml::node& node : *array) out.emplace_back(m_file, *node.as_table());
+        return out;
+    }
+
+  private:
+    double numberOf(const toml::node& node, std::string_view key, double least, double most) const {
+        const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!value) bad(node, fmt::format("'{}' must be a number", key));
+        if (!(*value >= least && *value <= most)) {
+            if (most == kLargest && least > 0) bad(node, fmt::format("'{}' must be positive", key));
+            bad(node, fmt::format("'{}' must be from {:g} to {:g}", key, least, most));
+        }
+        return *value;
+    }
+
+    const std::filesystem::path& m_file;
+    const toml::table& m_table;
+};
+
+constexpr double kTiny = 1e-18;  // "positive": float has room for the square
+
+Light readLight(const Table& table) {
+    table.allow({"position", "direction", "colour"}, "a light");
+    if (table.has("position") == table.has("direction"))
+        table.bad("a light needs either position or direction");
+    Light light{.colour = table.colour("colour", glm::vec3(1))};
+    if (table.has("position")) {
+        light.position = glm::vec4(glm::vec3(table.vector("position")), 1);
+        return light;
+    }
+    const glm::dvec3 direction = table.vector("direction");
+    if (glm::length(direction) == 0) table.bad(table.need("direction"), "'direction' must not be zero");
+    light.position = glm::vec4(glm::vec3(glm::normalize(direction)), 0);
+    return light;
+}
+
+std::vector<Camera> readCamera(const Table& table) {
+    table.allow({"eye", "target", "up", "fov", "near", "orbit"}, "[camera]");
+    const glm::dvec3 eye = table.vector("eye"), target = table.vector("target", glm::dvec3(0));
+    const glm::dvec3 up = table.vector("up", glm::dvec3(0, 1, 0));
+    Camera camera{.eye = glm::vec3(eye), .target = glm::vec3(target), .up = glm::vec3(up)};
+    if (camera.eye == camera.target) table.bad(table.need("eye"), "'eye' must differ from 'target'");
+    if (glm::length(up) == 0) table.bad(table.need("up"), "'up' must not be zero");
+    camera.fovDegrees = float(table.number("fov", 0.01, 179, 45));
+    camera.nearPlane = float(table.number("near", kTiny, kLargest, 0.1));
+    if (!table.has("orbit")) return {camera};
+
+    const Table orbit = table.table("orbit");
+    orbit.allow({"frames", "axis"}, "orbit");
+    const int frames = orbit.integer("frames", 1, 100000, 60);
+    const glm::dvec3 axis = orbit.vector("axis", glm::dvec3(0, 1, 0));
+    if (glm::length(axis) == 0) orbit.bad(orbit.need("axis"), "'axis' must not be zero");
+    std::vector<Camera> path;
+    for (int f = 0; f < frames; ++f) {
+        const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(360.0 * f / frames), axis));
+        path.push_back(camera);
+        path.back().eye = glm::vec3(target + turn * (eye - target));
+        path.back().up = glm::vec3(turn * up);
+    }
+    return path;
+}
+
+/// The parameters of all shapes; each allows its own beside the common ones.
+std::vector<Object> readShape(const Table& table, std::vector<std::string>& notes) {
+    const std::string shape = table.text("shape");
+    const auto allow = [&](std::initializer_list<std::string_view> own) {
+        std::vector<std::string_view> keys{"name",  "shape",  "at",    "rotate",
+                                           "scale", "colour", "casts", "two_sided"};
+        keys.insert(keys.end(), own);
+        table.allow(keys, "shape \"" + shape + "\"");
+    };
+    const auto positive = [&](std::string_view key, double otherwise) {
+        return table.number(key, kTiny, kLargest, otherwise);
+    };
+    constexpr int kMostSegments = 100000;
+    const auto segments = [&](std::string_view key, int least, int otherwise) {
+        return table.integer(key, least, kMostSegments, otherwise);
+    };
+    const auto one = [](Mesh mesh) {
+        std::vector<Object> objects(1);
+        objects[0].mesh = std::move(mesh);
+        return objects;
+    };
+    if (shape == "box") {
+        allow({"size"});
+        return one(box(table.has("size") ? table.vector("size", kTiny, kLargest) : glm::dvec3(1)));
+    }
+    if (shape == "rectangle") {
+        allow({"size"});
+        const auto size = table.has("size") ? table.numbers<2>("size", kTiny) : std::array{1.0, 1.0};
+        return one(rectangle({size[0], size[1]}));
+    }
+    if (shape == "cylinder") {
+        allow({"radius", "height", "segments"});
+        return one(cylinder(positive("radius", 0.5), positive("height", 1), segments("segments", 3, 32)));
+    }
+    if (shape == "sphere") {
+        allow({"radius", "segments", "rings"});
+        const int around = segments("segments", 3, 32);
+        return one(sphere(positive("radius", 0.5), around, segments("rings", 2, std::max(2, around / 2))));
+    }
+    if (shape == "torus") {
+        allow({"radius", "tube", "segments", "sides"});
+        const double radius = positive("radius", 1), tube = positive("tube", 0.3);
+        if (tube >= radius) table.bad("'tube' must be less than 'radius'");
+        return one(torus(radius, tube, segments("segments", 3, 32), segments("sides", 3, 16)));
+    }
+    if (shape == "knot") {
+        allow({"p", "q", "radius", "minor", "tube", "segments", "sides"});
+        KnotShape knot;
+        knot.p = table.integer("p", 1, 1000, knot.p);
+        knot.q = table.integer("q", 1, 1000, knot.q);
+        if (std::gcd(knot.p, knot.q) != 1) table.bad("'p' and 'q' must have no common divisor");
+        knot.radius = positive("radius", knot.radius);
+        knot.minor = positive("minor", knot.minor);
+        knot.tube = positive("tube", knot.tube);
+        if (knot.minor >= knot.radius) table.bad("'minor' must be less than 'radius'");
+        knot.segments = segments("segments", 3, knot.segments);
+        knot.sides = segments("sides", 3, knot.sides);
+        return one(torusKnot(knot));
+    }
+    if (shape == "mesh") {
+        allow({"file"});
+        const std::filesystem::path file = table.file().parent_path() / table.text("file");
+        if (!isMeshFile(file))
+            table.bad(table.need("file"), "'file' must be .obj, .ply, .stl, .gltf or .glb");
+        MeshFile mesh;
+        try {
+            mesh = loadMeshFile(file);
+        } catch (const SceneError& error) {
+            table.bad(table.need("file"), error.what());
+        }
+        for (const std::string& note : mesh.notes)
+            notes.push_back(fmt::format("{}: {}", printable(table.text("file")), note));
+        return std::move(mesh.objects);
+    }
+    table.bad(table.need("shape"), fmt::format("unknown shape '{}'", printable(shape)));
+}
+
+void readObject(const Table& table, Scene& scene) {
+    std::vector<Object> parts = readShape(table, scene.notes);
+    const std::string name = table.text("name", table.text("shape"));
+    const glm::dvec3 at = table.vector("at", glm::dvec3(0));
+    const double scale = table.number("scale", kTiny, kLargest, 1);
+    glm::dmat4 turn(1);
+    if (table.has("rotate")) {
+        const auto r = table.numbers<4>("rotate");
+        const glm::dvec3 axis(r[0], r[1], r[2]);
+        if (glm::length(axis) == 0) table.bad(table.need("rotate"), "'rotate' needs an axis that isn't zero");
+        turn = glm::rotate(glm::dmat4(1), glm::radians(r[3]), axis);
+    }
+    for (Object& part : parts) {
+        part.name = parts.size() == 1 ? name : name + "/" + part.name;
+        part.colour = table.colour("colour", part.colour);
+        part.casts = table.flag("casts", true);
+        part.twoSided = table.flag("two_sided", part.twoSided);
+        for (glm::vec3& p : part.mesh.positions) {
+            const glm::dvec3 moved = at + glm::dmat3(turn) * (scale * glm::dvec3(p));
+            for (int k = 0; k < 3; ++k)
+                if (const std::string fault = coordinateFault(moved[k]); !fault.empty()) table.bad(fault);
+            p = glm::vec3(moved);
+        }
+        // Moved vertices are rounded: some may coincide now.
+        Dropped dropped;
+        part.mesh = weld(part.mesh.positions, part.mesh.triangles, dropped);
+        if (const std::string what = describe(dropped); !what.empty())
+            scene.notes.push_back(fmt::format("{}: {}", part.name, what));
+        if (!part.mesh.triangles.empty()) scene.objects.push_back(std::move(part));
+    }
+}
+
+Scene readScene(const std::filesystem::path& file, const toml::table& root) {
+    const Table table(file, root);
+    table.allow({"title", "ambient", "background", "light", "lights", "camera", "objects"}, "a scene");
+    Scene scene;
+    scene.id = file.stem().string();
+    scene.title = table.text("title", scene.id);
+    scene.ambient = float(table.number("ambient", 0, 1, scene.ambient));
+    scene.background = table.colour("background", scene.background);
+    if (table.has("light") == table.has("lights")) table.bad("a scene needs either [light] or [[lights]]");
+    if (table.has("light")) scene.lights.push_back(readLight(table.table("light")));
+    if (table.has("lights"))
+        for (const Table& light : table.tables("lights")) scene.lights.push_back(readLight(light));
+    scene.frames = readCamera(table.table("camera"));
+    for (const Table& object : table.tables("objects")) readObject(object, scene);
+    if (scene.objects.empty()) table.bad("no triangle left");
+    return scene;
+}
+
+}  // namespace
+
+Scene loadSceneFile(const std::filesystem::path& file) {
+    const std::string text = readWhole(file);
+    toml::table root;
+    try {
+        root = toml::parse(text);
+    } catch (const toml::parse_error& error) {
+        fail(file, error.source().begin.line, printable(error.description()));
+    }
+    return readScene(file, root);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+/// Reads a scene file. Unknown keys, wrong types and values out of range are errors.
+///
+///     title = "..."  ambient = 0.2  background = [r, g, b]
+///     [light] or [[lights]]  position = [x, y, z] or direction = [x, y, z] (towards the light), colour = [r,
+///     g, b] [camera]   eye, target, up = [x, y, z], fov (degrees, vertical), near
+///                orbit = { frames = 60, axis = [0, 1, 0] }: a full turn of the eye about the axis through
+///                the target
+///     [[objects]]  name, at = [x, y, z], rotate = [axis x, y, z, degrees], scale, colour, casts, two_sided,
+///     shape =
+///         "box"        size = [x, y, z]
+///         "rectangle"  size = [x, z]: in the plane y = 0, facing up
+///         "cylinder"   radius, height, segments: about the axis y
+///         "sphere"     radius, segments, rings
+///         "torus"      radius, tube, segments, sides
+///         "knot"       p, q, radius, minor, tube, segments, sides
+///         "mesh"       file, relative to the scene file
+///
+/// An object is scaled, rotated, then moved.
+/// @throws SceneError "file:line: what"
+Scene loadSceneFile(const std::filesystem::path& file);
+
+}  // namespace gnomon

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/scene.h"
+
+namespace gnomon {
+
+/// Triangles that weld() left out, summed over meshes.
+struct Dropped {
+    std::size_t repeatedVertex = 0;  ///< two corners are the same vertex
+    std::size_t zeroArea = 0;        ///< three vertices exactly on one line
+};
+
+/// Makes one mesh of a triangle list: vertices at exactly the same float position become one (-0 is 0),
+/// triangles without area are dropped and counted, vertices that no triangle uses are left out. Duplicate
+/// triangles stay.
+///
+/// @pre finite positions below kMaxCoordinate, indices in range
+Mesh weld(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Dropped& dropped);
+
+/// Cuts a polygon into corners - 2 triangles with its orientation: a fan where that turns no triangle over
+/// and leaves none without area, else by clipping ears; a fan again where no ear is left (self-crossing
+/// outlines) and beyond 500 corners.
+///
+/// @param corners indices into @p positions, at least 3
+void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners,
+                 std::vector<glm::uvec3>& triangles);
+
+/// "12 degenerate triangles dropped (10 repeat a vertex, 2 have no area)"; empty if none were.
+std::string describe(const Dropped& dropped);
+
+/// Products of three coordinate differences must stay within float's range on the way to the screen; files
+/// beyond this are refused.
+inline constexpr double kMaxCoordinate = 1e18;
+
+}  // namespace gnomon
