@@ -1,0 +1,151 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gnomon {
+
+/// The words below are OpenGL's, in lower case ("dst_color" is GL_DST_COLOR); a profile speaks them whatever
+/// the chip's own registers are called.
+enum class BlendFactor : std::uint8_t {
+    Zero,
+    One,
+    SrcColor,
+    OneMinusSrcColor,
+    DstColor,
+    OneMinusDstColor,
+    SrcAlpha,
+    OneMinusSrcAlpha,
+    DstAlpha,
+    OneMinusDstAlpha,
+    SrcAlphaSaturate,
+    ConstantColor,
+    OneMinusConstantColor,
+    ConstantAlpha,
+    OneMinusConstantAlpha
+};
+enum class BlendEquation : std::uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
+enum class Compare : std::uint8_t { Never, Less, Equal, Lequal, Greater, Notequal, Gequal, Always };
+enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
+
+/// How finely colour writes can be masked.
+enum class WriteMask : std::uint8_t {
+    Fixed,    ///< all of colour and alpha, or nothing
+    Group,    ///< red, green and blue together; alpha by itself
+    Channel,  ///< each channel
+};
+
+/// How a frame buffer becomes a texture.
+enum class FrameTexture : std::uint8_t {
+    None,
+    Host,    ///< read back over the bus and downloaded again
+    Copy,    ///< copied by the chip
+    Direct,  ///< the chip samples the frame buffer where it lies
+};
+
+using BlendPair = std::pair<BlendFactor, BlendFactor>;  ///< source, destination
+
+/// Red, green, blue and alpha bits of one frame-buffer format.
+struct ColourFormat {
+    std::string name{};  ///< "565", "1555", "8888", "888"
+    int red = 0, green = 0, blue = 0, alpha = 0;
+};
+
+/// What one graphics device can do. Shadow methods ask this and nothing else about hardware.
+/// Value type, read from profiles/<id>.toml; a default Profile can do nothing. Zero, false or empty means
+/// absent.
+struct Profile {
+    std::string id{};     ///< file stem, --profile argument, report column: "voodoo1"
+    std::string title{};  ///< as printed on the box
+    int year = 0;
+    std::vector<std::string> sources{};  ///< "KEY: document"; the sources of facts begin with such a key
+
+    // Frame buffer
+    std::vector<ColourFormat> colourFormats{};  ///< the first is the one that gnomon renders into
+    int alphaBits = 0;                          ///< destination alpha
+    bool alphaExcludesDepth = false;            ///< one buffer holds either destination alpha or depth
+    bool blendWritesAlpha = false;              ///< the blender computes destination alpha too
+    WriteMask writeMask = WriteMask::Fixed;
+    bool depth = false;
+    std::vector<int> depthBits{};        ///< the first is the one that gnomon renders into
+    std::set<Compare> depthFunctions{};  ///< as OpenGL sees them: smaller is nearer
+    int stencilBits = 0;                 ///< 0: no stencil buffer
+    bool stencilWrap = false;            ///< GL_INCR_WRAP and GL_DECR_WRAP
+    bool twoSidedStencil = false;
+
+    // Blending. A pair is allowed if it is the product of the two sets, or listed as a pair.
+    std::set<BlendFactor> sourceFactors{}, destinationFactors{};
+    std::set<BlendPair> blendPairs{};
+    /// Pairs that only a constant source colour (all fragments of a draw the same grey) makes possible.
+    std::set<BlendPair> constantSourcePairs{};
+    std::set<BlendFactor> alphaSourceFactors{}, alphaDestinationFactors{};  ///< for the alpha channel
+    bool separateAlphaFactors = false;                                      ///< glBlendFuncSeparate
+    std::set<BlendEquation> blendEquations{};
+
+    // Textures
+    int textureUnits = 0;
+    int maxTextureSize = 0;    ///< texels per side
+    int maxTextureAspect = 0;  ///< longest side over shortest; 0: no limit
+    bool textureNonPowerOfTwo = false;
+    FrameTexture frameTexture = FrameTexture::None;
+
+    // Geometry
+    bool culling = false;  ///< by the chip; otherwise the host sorts faces
+    bool polygonOffsetUnits = false, polygonOffsetFactor = false;
+    int clipPlanes = 0;
+    bool shaders = false;
+
+    // Limits and rates
+    int maxWidth = 0, maxHeight = 0;  ///< of a 3D frame with depth, pixels; 0: no limit
+    std::int64_t frameBytes = 0;      ///< memory for two colour buffers and depth; 0: no limit
+    double megapixelsPerSecond = 0, megatrianglesPerSecond = 0, gigabytesPerSecond = 0;
+
+    /// One fact of the file as written, for people.
+    struct Fact {
+        std::string key{}, value{};
+        std::string
+            source{};  ///< "unsourced", or where the figure comes from; "; also ..." where sources disagree
+    };
+    std::vector<Fact> facts{};  ///< in the order of the file
+
+    /// The source of the fact @p key, a key of the file such as "alpha_bits"; "unsourced" if it has none,
+    /// "not in the profile" if the key is absent there.
+    std::string sourceOf(const std::string& key) const;
+
+    bool allowsBlend(BlendFactor source, BlendFactor destination) const;
+    /// As allowsBlend, for a draw whose fragments all have the same grey.
+    bool allowsBlendWithConstantSource(BlendFactor source, BlendFactor destination) const;
+};
+
+/// A profile that can't be used. what() is one line, "file:line: what", or "file: what" if it can't be read.
+struct ProfileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Reads a profile: "title", "year", "sources", and one key per capability, spelt as the field but in
+/// snake_case. A capability is a plain value, or { value = ..., source = "KEY place", also = "what another
+/// source says" }; one that is left out is absent.
+/// @throws ProfileError for a syntax error, an unknown key or word, a wrong type, a number out of range, an
+///                      impossible combination (check.h)
+Profile loadProfile(const std::filesystem::path& file);
+
+/// Ids of all profiles in @p folder, sorted.
+/// @throws ProfileError if it isn't a folder
+std::vector<std::string> profileIds(const std::filesystem::path& folder);
+
+/// Spellings of the words in profiles, plans and messages: "dst_color", "lequal", "reverse_subtract",
+/// "incr_wrap".
+const std::string& name(BlendFactor);
+const std::string& name(BlendEquation);
+const std::string& name(Compare);
+const std::string& name(StencilOp);
+const std::string& name(WriteMask);
+const std::string& name(FrameTexture);
+
+}  // namespace gnomon

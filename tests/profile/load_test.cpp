@@ -1,0 +1,444 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "profile/profile.h"
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Line 1 is a title, so that the line of an error isn't the line 1 that stands for "the whole file".
+constexpr auto kMinimal = "title = \"Chip\"\ncolour_formats = [\"565\"]\n";
+
+/// A file of its own for each test; tests may run side by side.
+std::filesystem::path fileWith(const std::string& content) {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    std::string stem = std::string(test->test_suite_name()) + "." + test->name();
+    for (char& c : stem)
+        if (c == '/') c = '_';
+    const auto file = std::filesystem::path(testing::TempDir()) / (stem + ".toml");
+    std::ofstream(file) << content;
+    return file;
+}
+
+/// What loading a file of @p content says, without the file's name: ":line: what", or "" if it loads.
+std::string errorOf(const std::string& content) {
+    const auto file = fileWith(content);
+    std::string error;
+    try {
+        loadProfile(file);
+    } catch (const ProfileError& e) {
+        error = e.what();
+        EXPECT_EQ(error.substr(0, file.string().size()), file.string());
+        error.erase(0, file.string().size());
+    }
+    std::filesystem::remove(file);
+    return error;
+}
+
+Profile load(const std::string& content) {
+    const auto file = fileWith(content);
+    const Profile profile = loadProfile(file);
+    std::filesystem::remove(file);
+    return profile;
+}
+
+auto isFact(const std::string& key, const std::string& value, const std::string& source) {
+    return AllOf(Field(&Profile::Fact::key, key), Field(&Profile::Fact::value, value),
+                 Field(&Profile::Fact::source, source));
+}
+
+TEST(LoadProfile, TakesIdFromFileAndLeavesOutWhatIsAbsent) {
+    const Profile profile = load(kMinimal);
+    EXPECT_EQ(profile.id, "LoadProfile.TakesIdFromFileAndLeavesOutWhatIsAbsent");
+    EXPECT_EQ(profile.title, "Chip");
+    EXPECT_FALSE(profile.depth);
+    EXPECT_EQ(profile.stencilBits, 0);
+    EXPECT_THAT(profile.blendEquations, IsEmpty());
+    EXPECT_EQ(profile.writeMask, WriteMask::Fixed);
+}
+
+TEST(LoadProfile, KeepsFactsInFileOrderWithSources) {
+    const Profile profile = load(
+        "title = \"Chip\"\n"
+        "year = 1998\n"
+        "sources = [\"M: a manual\"]\n"
+        "texture_units = { value = 2, source = \"M p. 3\" }\n"
+        "max_texture_size = 256\n"
+        "alpha_bits = { value = 8, source = \"unsourced\" }\n"
+        "colour_formats = { value = [\"8888\", \"565\"], source = \"M p. 1\" }\n"
+        "gigabytes_per_second = { value = 1.5, source = \"M p. 9\", also = \"N says 1.6\" }\n"
+        "megapixels_per_second = { value = 45, also = \"N says 50\" }\n"
+        "culling = { value = true, source = \"M p. 2\" }\n");
+    EXPECT_EQ(profile.year, 1998);
+    EXPECT_THAT(profile.sources, ElementsAre("M: a manual"));
+    EXPECT_THAT(
+        profile.facts,
+        ElementsAre(isFact("texture_units", "2", "M p. 3"), isFact("max_texture_size", "256", "unsourced"),
+                    isFact("alpha_bits", "8", "unsourced"), isFact("colour_formats", "8888, 565", "M p. 1"),
+                    isFact("gigabytes_per_second", "1.5", "M p. 9; also N says 1.6"),
+                    isFact("megapixels_per_second", "45", "unsourced; also N says 50"),
+                    isFact("culling", "true", "M p. 2")));
+    EXPECT_EQ(profile.sourceOf("texture_units"), "M p. 3");
+    EXPECT_EQ(profile.sourceOf("max_texture_size"), "unsourced");
+    EXPECT_EQ(profile.sourceOf("stencil_bits"), "not in the profile");
+}
+
+// The first of several faults is the first of the file, not the first of the alphabet.
+TEST(LoadProfile, ReportsFirstFaultOfTheFile) {
+    EXPECT_THAT(errorOf("title = \"Chip\"\nyear = true\nalpha_bits = true\n"), HasSubstr(":2: year"));
+}
+
+TEST(LoadProfile, TakesZeroAndFalseAsSourcedAbsence) {
+    const Profile profile = load(std::string(kMinimal) +
+                                 "stencil_bits = { value = 0, source = \"M\" }\n"
+                                 "stencil_wrap = false\ntwo_sided_stencil = false\n"
+                                 "alpha_excludes_depth = false\nframe_texture = \"none\"\n");
+    EXPECT_EQ(profile.stencilBits, 0);
+    EXPECT_EQ(profile.sourceOf("stencil_bits"), "M");
+}
+
+TEST(LoadProfile, ReadsEveryKey) {
+    const Profile profile = load(
+        "title = \"Chip\"\ncolour_formats = [\"4444\", \"1555\"]\nalpha_bits = 4\nblend_writes_alpha = true\n"
+        "write_mask = \"channel\"\ndepth_bits = [24, 16]\ndepth_functions = [\"less\", \"always\"]\n"
+        "stencil_bits = 8\nstencil_wrap = true\ntwo_sided_stencil = true\nsource_factors = [\"one\"]\n"
+        "destination_factors = [\"src_color\"]\nblend_pairs = [\"zero dst_alpha\"]\n"
+        "constant_source_pairs = [\"dst_color one\"]\nalpha_source_factors = [\"zero\"]\n"
+        "alpha_destination_factors = [\"one\"]\nseparate_alpha_factors = true\n"
+        "blend_equations = [\"max\"]\ntexture_units = 3\nmax_texture_size = 512\nmax_texture_aspect = 4\n"
+        "texture_non_power_of_two = true\nframe_texture = \"direct\"\nculling = true\n"
+        "polygon_offset_units = true\npolygon_offset_factor = true\nclip_planes = 6\nshaders = true\n"
+        "max_width = 800\nmax_height = 600\nframe_bytes = 4194304\nmegapixels_per_second = 90\n"
+        "megatriangles_per_second = 3.5\ngigabytes_per_second = 0.72\n");
+    ASSERT_EQ(profile.colourFormats.size(), 2u);
+    EXPECT_EQ(profile.colourFormats[0].name, "4444");
+    EXPECT_EQ(profile.colourFormats[1].green, 5);
+    EXPECT_EQ(profile.alphaBits, 4);
+    EXPECT_TRUE(profile.blendWritesAlpha);
+    EXPECT_EQ(profile.writeMask, WriteMask::Channel);
+    EXPECT_TRUE(profile.depth);
+    EXPECT_THAT(profile.depthBits, ElementsAre(24, 16));
+    EXPECT_THAT(profile.depthFunctions, ElementsAre(Compare::Less, Compare::Always));
+    EXPECT_EQ(profile.stencilBits, 8);
+    EXPECT_TRUE(profile.stencilWrap && profile.twoSidedStencil);
+    EXPECT_THAT(profile.sourceFactors, ElementsAre(BlendFactor::One));
+    EXPECT_THAT(profile.destinationFactors, ElementsAre(BlendFactor::SrcColor));
+    EXPECT_THAT(profile.blendPairs, ElementsAre(BlendPair{BlendFactor::Zero, BlendFactor::DstAlpha}));
+    EXPECT_THAT(profile.constantSourcePairs, ElementsAre(BlendPair{BlendFactor::DstColor, BlendFactor::One}));
+    EXPECT_THAT(profile.alphaSourceFactors, ElementsAre(BlendFactor::Zero));
+    EXPECT_THAT(profile.alphaDestinationFactors, ElementsAre(BlendFactor::One));
+    EXPECT_TRUE(profile.separateAlphaFactors);
+    EXPECT_THAT(profile.blendEquations, ElementsAre(BlendEquation::Max));
+    EXPECT_EQ(profile.textureUnits, 3);
+    EXPECT_EQ(profile.maxTextureSize, 512);
+    EXPECT_EQ(profile.maxTextureAspect, 4);
+    EXPECT_TRUE(profile.textureNonPowerOfTwo);
+    EXPECT_EQ(profile.frameTexture, FrameTexture::Direct);
+    EXPECT_TRUE(profile.culling && profile.polygonOffsetUnits && profile.polygonOffsetFactor);
+    EXPECT_EQ(profile.clipPlanes, 6);
+    EXPECT_TRUE(profile.shaders);
+    EXPECT_EQ(profile.maxWidth, 800);
+    EXPECT_EQ(profile.maxHeight, 600);
+    EXPECT_EQ(profile.frameBytes, 4194304);
+    EXPECT_EQ(profile.megapixelsPerSecond, 90);
+    EXPECT_EQ(profile.megatrianglesPerSecond, 3.5);
+    EXPECT_EQ(profile.gigabytesPerSecond, 0.72);
+    EXPECT_EQ(profile.facts.size(), 33u /* one per line but the title */);
+}
+
+TEST(LoadProfile, AllowsProductOfSetsAndListedPairs) {
+    const Profile profile = load(std::string(kMinimal) +
+                                 "source_factors = [\"zero\", \"one\"]\n"
+                                 "destination_factors = [\"zero\", \"src_color\"]\n"
+                                 "blend_pairs = [\"one one\"]\n"
+                                 "constant_source_pairs = [\"dst_color one\"]\n"
+                                 "blend_equations = [\"add\"]\n");
+    EXPECT_TRUE(profile.allowsBlend(BlendFactor::One, BlendFactor::SrcColor));
+    EXPECT_TRUE(profile.allowsBlend(BlendFactor::One, BlendFactor::One));
+    EXPECT_FALSE(profile.allowsBlend(BlendFactor::Zero, BlendFactor::One));
+    EXPECT_FALSE(profile.allowsBlend(BlendFactor::DstColor, BlendFactor::One));
+    EXPECT_TRUE(profile.allowsBlendWithConstantSource(BlendFactor::DstColor, BlendFactor::One));
+    EXPECT_TRUE(profile.allowsBlendWithConstantSource(BlendFactor::One, BlendFactor::Zero));
+    EXPECT_FALSE(profile.allowsBlendWithConstantSource(BlendFactor::Zero, BlendFactor::One));
+}
+
+// A file without lines to speak of: "file: what".
+TEST(LoadProfileErrors, NameFileThatCantBeRead) {
+    for (const std::string& file : {std::string("/nowhere/chip.toml"), testing::TempDir()}) {
+        try {
+            loadProfile(file);
+            ADD_FAILURE() << file << " was read";
+        } catch (const ProfileError& e) {
+            EXPECT_EQ(e.what(), file + ": can't be read");
+        }
+    }
+}
+
+TEST(LoadProfileErrors, NameFileAsPassedIn) {
+    const auto file = fileWith("title = 3\n");
+    const auto here = std::filesystem::relative(file);
+    try {
+        loadProfile(here);
+        ADD_FAILURE() << "was read";
+    } catch (const ProfileError& e) {
+        EXPECT_EQ(e.what(), here.string() + ":1: title must be a string");
+    }
+    std::filesystem::remove(file);
+}
+
+TEST(LoadProfileErrors, GiveLineOfSyntaxErrorInOneLine) {
+    for (const char* broken : {"title = \"Chip\"\nalpha_bits = = 8\n", "title = \"Chip\"\ntitle = \"Chip\"\n",
+                               "title = \"Chip\"\nyear 1998\n"}) {
+        const std::string error = errorOf(broken);
+        EXPECT_THAT(error, testing::StartsWith(":2: ")) << broken;
+        EXPECT_THAT(error, testing::Not(HasSubstr("\n"))) << broken;
+    }
+}
+
+struct Fault {
+    std::string name{};
+    std::string lines{};  ///< after the two lines of kMinimal: the first is line 3
+    std::string error{};
+};
+void PrintTo(const Fault& fault, std::ostream* out) {
+    *out << fault.lines;
+}
+
+class FaultyProfile : public testing::TestWithParam<Fault> {};
+
+TEST_P(FaultyProfile, IsRefusedWithLineAndReason) {
+    EXPECT_EQ(errorOf(kMinimal + GetParam().lines), GetParam().error);
+}
+
+auto nameOfFault(const testing::TestParamInfo<Fault>& test) {
+    return test.param.name;
+}
+
+const std::string kFactors =
+    "zero, one, src_color, one_minus_src_color, dst_color, one_minus_dst_color, src_alpha, "
+    "one_minus_src_alpha, dst_alpha, one_minus_dst_alpha, src_alpha_saturate, constant_color, "
+    "one_minus_constant_color, constant_alpha, one_minus_constant_alpha";
+
+INSTANTIATE_TEST_SUITE_P(
+    Keys, FaultyProfile,
+    testing::Values(Fault{"Unknown", "stencil_bit = 8\n",
+                          ":3: unknown key \"stencil_bit\"; did you mean \"stencil_bits\"?"},
+                    Fault{"American", "color_formats = 8\n",
+                          ":3: unknown key \"color_formats\"; did you mean \"colour_formats\"?"},
+                    Fault{"UnknownInTable", "culling = { value = true, sorce = \"M\" }\n",
+                          ":3: unknown key \"sorce\"; did you mean \"source\"?"},
+                    Fault{"UnknownInSection", "[culling]\nvalue = true\nalsol = \"N\"\n",
+                          ":5: unknown key \"alsol\"; did you mean \"also\"?"},
+                    Fault{"NoValue", "\nculling = { source = \"M\" }\n", ":4: culling has no value"},
+                    Fault{"UnknownSection", "[texture_unit]\nvalue = 1\n",
+                          ":3: unknown key \"texture_unit\"; did you mean \"texture_units\"?"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    Types, FaultyProfile,
+    testing::Values(
+        Fault{"TextForNumber", "alpha_bits = \"8\"\n", ":3: alpha_bits must be a whole number"},
+        Fault{"FractionForNumber", "alpha_bits = 8.0\n", ":3: alpha_bits must be a whole number"},
+        Fault{"InTable", "\n\nalpha_bits = { value = true, source = \"M\" }\n",
+              ":5: alpha_bits must be a whole number"},
+        Fault{"NumberForYesOrNo", "culling = 1\n", ":3: culling must be true or false"},
+        Fault{"NumberForWord", "write_mask = 1\n", ":3: write_mask must be a string"},
+        Fault{"TextForRate", "gigabytes_per_second = \"2\"\n", ":3: gigabytes_per_second must be a number"},
+        Fault{"NumberForArray", "depth_bits = 16\n", ":3: depth_bits must be an array"},
+        Fault{"TextInArray", "depth_bits = [\n  24,\n  \"16\"\n]\n", ":5: depth_bits must be a whole number"},
+        Fault{"ArrayInArray", "depth_bits = [[24]]\n", ":3: depth_bits must be a whole number"},
+        Fault{"NumberForFormat", "depth_functions = [565]\n", ":3: depth_functions must be a string"},
+        Fault{"NumberForSource", "culling = { value = true, source = 3 }\n",
+              ":3: culling's source must be a string"},
+        Fault{"NumberForAlso", "culling = { value = true, also = 3 }\n",
+              ":3: culling's also must be a string"},
+        Fault{"TextForSources", "sources = \"M\"\n", ":3: sources must be an array"},
+        Fault{"TextForYear", "year = \"1998\"\n", ":3: year must be a whole number"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, FaultyProfile,
+    testing::Values(
+        Fault{"Mask", "write_mask = \"bit\"\n",
+              ":3: unknown word \"bit\" in write_mask (known: fixed, group, channel)"},
+        Fault{"FrameTexture", "frame_texture = \"bus\"\n",
+              ":3: unknown word \"bus\" in frame_texture (known: none, host, copy, direct)"},
+        Fault{
+            "Equation", "blend_equations = [\n\"add\",\n\"sub\"]\n",
+            ":5: unknown word \"sub\" in blend_equations (known: add, subtract, reverse_subtract, min, max)"},
+        Fault{"Compare", "depth_functions = [\"lesser\"]\n",
+              ":3: unknown word \"lesser\" in depth_functions (known: never, less, equal, lequal, greater, "
+              "notequal, gequal, always)"},
+        Fault{"Factor", "source_factors = [\"dst_colour\"]\n",
+              ":3: unknown word \"dst_colour\" in source_factors (known: " + kFactors + ")"},
+        Fault{"FactorOfPair", "blend_pairs = [\"one\ttwo\", \"one two\"]\n",
+              ":3: \"one\ttwo\" in blend_pairs must be two blend factors, \"source destination\""},
+        Fault{"SecondFactorOfPair", "blend_pairs = [\"one two\"]\n",
+              ":3: unknown word \"two\" in blend_pairs (known: " + kFactors + ")"},
+        Fault{"HalfAPair", "constant_source_pairs = [\"one\"]\n",
+              ":3: \"one\" in constant_source_pairs must be two blend factors, \"source destination\""}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, FaultyProfile,
+    testing::Values(
+        Fault{"Negative", "alpha_bits = -8\n", ":3: alpha_bits = -8 is outside 0 to 16"},
+        Fault{"Absurd", "stencil_bits = 256\n", ":3: stencil_bits = 256 is outside 0 to 16"},
+        Fault{"BeyondInt", "max_width = 5000000000\n", ":3: max_width = 5000000000 is outside 0 to 65536"},
+        Fault{"DepthOfZeroBits", "depth_bits = [16,\n0]\n", ":4: depth_bits = 0 is outside 1 to 32"},
+        Fault{"NegativeRate", "gigabytes_per_second = -0.5\n",
+              ":3: gigabytes_per_second = -0.5 is outside 0 to 100000"},
+        Fault{"NoNumberAsRate", "megapixels_per_second = nan\n",
+              ":3: megapixels_per_second = nan is outside 0 to 1000000"},
+        Fault{"PixelsForMegapixels", "megapixels_per_second = 50000000\n",
+              ":3: megapixels_per_second = 50000000 is outside 0 to 1000000"},
+        Fault{"FutureYear", "year = 20000\n", ":3: year = 20000 is outside 1950 to 2100"},
+        Fault{"NotAPowerOfTwo", "texture_units = 1\nmax_texture_size = 1000\n",
+              ":4: max_texture_size = 1000 is not a power of two"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    Arrays, FaultyProfile,
+    testing::Values(
+        Fault{"NumberTwice", "depth_bits = [24,\n16,\n24]\n", ":5: depth_bits has 24 twice"},
+        Fault{"WordTwice", "blend_equations = [\"add\", \"add\"]\n", ":3: blend_equations has add twice"},
+        Fault{"PairTwice", "blend_pairs = [\"one one\", \"one one\"]\n", ":3: blend_pairs has one one twice"},
+        Fault{"Empty", "depth_bits = []\n", ":3: depth_bits is empty: leave it out if the chip has none"}),
+    nameOfFault);
+
+const std::string kBlend =
+    "source_factors = [\"one\"]\ndestination_factors = [\"one\"]\nblend_equations = [\"add\"]\n";  // lines 3
+                                                                                                   // to 5
+const std::string kDepth = "depth_bits = [16]\ndepth_functions = [\"less\"]\n";  // lines 3 and 4
+const std::string kAlpha =  // lines 3 to 5: alpha, but in a buffer of its own, as 565 has none
+    kDepth + "alpha_excludes_depth = true\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    ImpossibleFrames, FaultyProfile,
+    testing::Values(
+        Fault{"WrapWithoutStencil", "stencil_wrap = true\n", ":3: stencil_wrap needs stencil_bits"},
+        Fault{"WrapWithZeroStencil", "stencil_wrap = true\nstencil_bits = 0\n",
+              ":3: stencil_wrap needs stencil_bits"},
+        Fault{"TwoSidesWithoutStencil", "\ntwo_sided_stencil = true\n",
+              ":4: two_sided_stencil needs stencil_bits"},
+        Fault{"AlphaInNoFormat", "alpha_bits = 8\n",
+              ":3: alpha_bits = 8, but no colour format has that many, and no auxiliary buffer "
+              "(alpha_excludes_depth) does"},
+        Fault{"ExclusionWithoutAlpha", kAlpha, ":5: alpha_excludes_depth needs alpha_bits"},
+        Fault{"ExclusionWithoutDepth", "alpha_bits = 8\nalpha_excludes_depth = true\n",
+              ":4: alpha_excludes_depth needs depth_bits"},
+        Fault{"DepthWithoutFunctions", "depth_bits = [16]\n", ":3: depth_bits needs depth_functions"},
+        Fault{"FunctionsWithoutDepth", "depth_functions = [\"less\"]\n",
+              ":3: depth_functions needs depth_bits"},
+        Fault{"UnitsWithoutDepth", "polygon_offset_units = true\n",
+              ":3: polygon_offset_units needs depth_bits"},
+        Fault{"SlopeWithoutDepth", "polygon_offset_factor = true\n",
+              ":3: polygon_offset_factor needs depth_bits"},
+        Fault{"WidthWithoutHeight", "max_width = 640\n", ":3: max_width needs max_height"},
+        Fault{"HeightWithoutWidth", "max_height = 480\n", ":3: max_height needs max_width"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    ImpossibleBlending, FaultyProfile,
+    testing::Values(
+        Fault{"EquationsWithoutPair", "blend_equations = [\"add\"]\n",
+              ":3: blend_equations needs source_factors and destination_factors, or blend_pairs"},
+        Fault{"OneSide", "source_factors = [\"one\"]\n", ":3: source_factors needs destination_factors"},
+        Fault{"OtherSide", "destination_factors = [\"one\"]\n",
+              ":3: destination_factors needs source_factors"},
+        Fault{"FactorsWithoutEquation", "source_factors = [\"one\"]\ndestination_factors = [\"one\"]\n",
+              ":3: source_factors needs blend_equations"},
+        Fault{"PairsWithoutEquation", "blend_pairs = [\"one one\"]\n",
+              ":3: blend_pairs needs blend_equations"},
+        Fault{"ConstantPairsWithoutEquation", "constant_source_pairs = [\"one one\"]\n",
+              ":3: constant_source_pairs needs blend_equations"},
+        Fault{"ConstantPairThatIsAFactorPair", kBlend + "constant_source_pairs = [\"one one\"]\n",
+              ":6: constant_source_pairs has \"one one\", which any source colour may use"},
+        Fault{"ConstantPairThatIsAPair",
+              "constant_source_pairs = [\"zero one\"]\nblend_pairs = [\"zero one\"]\n"
+              "blend_equations = [\"add\"]\n",
+              ":3: constant_source_pairs has \"zero one\", which any source colour may use"},
+        Fault{"SourceReadsMissingAlpha",
+              "blend_equations = [\"add\"]\ndestination_factors = [\"one\"]\nsource_factors = "
+              "[\"dst_alpha\"]\n",
+              ":5: source_factors reads destination alpha and needs alpha_bits"},
+        Fault{"SaturationReadsMissingAlpha",
+              "blend_equations = [\"add\"]\ndestination_factors = [\"one\"]\n"
+              "source_factors = [\"src_alpha_saturate\"]\n",
+              ":5: source_factors reads destination alpha and needs alpha_bits"},
+        Fault{"DestinationReadsMissingAlpha",
+              "destination_factors = [\"one_minus_dst_alpha\"]\nsource_factors = [\"one\"]\n"
+              "blend_equations = [\"add\"]\n",
+              ":3: destination_factors reads destination alpha and needs alpha_bits"},
+        Fault{"PairReadsMissingAlpha", kBlend + "blend_pairs = [\"zero dst_alpha\"]\n",
+              ":6: blend_pairs reads destination alpha and needs alpha_bits"},
+        Fault{"ConstantPairReadsMissingAlpha", kBlend + "constant_source_pairs = [\"dst_alpha zero\"]\n",
+              ":6: constant_source_pairs reads destination alpha and needs alpha_bits"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    ImpossibleAlphaBlending, FaultyProfile,
+    testing::Values(
+        Fault{"WritesWithoutAlpha", "blend_writes_alpha = true\n", ":3: blend_writes_alpha needs alpha_bits"},
+        Fault{"WritesWithoutFactors", kAlpha + "alpha_bits = 8\nblend_writes_alpha = true\n",
+              ":7: blend_writes_alpha needs alpha_source_factors and alpha_destination_factors"},
+        Fault{"SourceFactorsWithoutAlpha", "alpha_source_factors = [\"one\"]\n",
+              ":3: alpha_source_factors needs alpha_bits"},
+        Fault{"DestinationFactorsWithoutAlpha", "alpha_destination_factors = [\"one\"]\n",
+              ":3: alpha_destination_factors needs alpha_bits"},
+        Fault{"SourceFactorsNeverWritten", kAlpha + "alpha_bits = 8\nalpha_source_factors = [\"one\"]\n",
+              ":7: alpha_source_factors needs blend_writes_alpha"},
+        Fault{"DestinationFactorsNeverWritten",
+              kAlpha + "alpha_bits = 8\nalpha_destination_factors = [\"one\"]\n",
+              ":7: alpha_destination_factors needs blend_writes_alpha"},
+        Fault{"SeparateFactorsWithoutAlpha", "separate_alpha_factors = true\n",
+              ":3: separate_alpha_factors needs alpha_bits"},
+        Fault{"SeparateFactorsNeverWritten", kAlpha + "alpha_bits = 8\nseparate_alpha_factors = true\n",
+              ":7: separate_alpha_factors needs blend_writes_alpha"}),
+    nameOfFault);
+
+INSTANTIATE_TEST_SUITE_P(
+    ImpossibleTextures, FaultyProfile,
+    testing::Values(
+        Fault{"UnitsWithoutSize", "texture_units = 1\n", ":3: texture_units needs max_texture_size"},
+        Fault{"SizeWithoutUnits", "max_texture_size = 256\n", ":3: max_texture_size needs texture_units"},
+        Fault{"AspectWithoutUnits", "max_texture_aspect = 8\n", ":3: max_texture_aspect needs texture_units"},
+        Fault{"AnySizeWithoutUnits", "texture_non_power_of_two = true\n",
+              ":3: texture_non_power_of_two needs texture_units"},
+        Fault{"FrameWithoutUnits", "frame_texture = \"host\"\n", ":3: frame_texture needs texture_units"}),
+    nameOfFault);
+
+TEST(LoadProfileErrors, MissTitleAndColourFormats) {
+    EXPECT_EQ(errorOf(""), ":1: title is missing");
+    EXPECT_EQ(errorOf("\ncolour_formats = [\"565\"]\n"), ":1: title is missing");
+    EXPECT_EQ(errorOf("\ntitle = \"\"\n"), ":2: title is missing");
+    EXPECT_EQ(errorOf("\ntitle = \"Chip\"\n"), ":1: colour_formats is missing");
+    EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = []\n"),
+              ":2: colour_formats is empty: leave it out if the chip has none");
+    EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"565\", \"565\"]\n"),
+              ":2: colour_formats has 565 twice");
+    EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"rgb\"]\n"),
+              ":2: unknown word \"rgb\" in colour_formats (known: 565, 555, 1555, 5551, 4444, 888, 8888)");
+}
+
+TEST(ProfileIds, AreSortedStemsOfTomlFiles) {
+    const auto folder = std::filesystem::path(testing::TempDir()) / "profile_ids_test";
+    std::filesystem::create_directory(folder);
+    for (const char* file : {"b.toml", "a.toml", "readme.md"}) std::ofstream(folder / file) << "";
+    EXPECT_THAT(profileIds(folder), ElementsAre("a", "b"));
+    std::filesystem::remove_all(folder);
+    EXPECT_THROW(profileIds(folder), ProfileError);
+}
+
+}  // namespace
+}  // namespace gnomon
