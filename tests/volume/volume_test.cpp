@@ -1,0 +1,168 @@
+#include "volume/volume.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <random>
+#include <set>
+
+#include "shapes.h"
+#include "volume/orient.h"
+
+namespace gnomon {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+/// The sides as a chain: how often each undirected edge is walked from low to high.
+std::map<std::pair<std::uint32_t, std::uint32_t>, int> chain(const std::vector<Side>& sides) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> sum;
+    for (const Side& s : sides) sum[std::minmax(s.from, s.to)] += s.from < s.to ? s.weight : -s.weight;
+    std::erase_if(sum, [](const auto& entry) { return entry.second == 0; });
+    return sum;
+}
+
+Mesh soup(int vertices, int triangles, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    std::uniform_int_distribution<std::uint32_t> index(0, vertices - 1);
+    Mesh mesh;
+    for (int i = 0; i < vertices; ++i)
+        mesh.positions.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    for (int i = 0; i < triangles; ++i)
+        mesh.triangles.push_back({index(random), index(random), index(random)});
+    return mesh;
+}
+
+Caster whole(const Scene& scene) {
+    Caster caster{.twoSided = scene.objects[0].twoSided};
+    for (std::uint32_t t = 0; t < scene.objects[0].mesh.triangles.size(); ++t) caster.triangles.push_back(t);
+    return caster;
+}
+
+TEST(Casters, AreConnectedComponentsInMeshOrder) {
+    Mesh mesh = cube({0, 0, 0}, 1);
+    const Mesh other = cube({5, 0, 0}, 1);
+    const auto offset = static_cast<std::uint32_t>(mesh.positions.size());
+    mesh.positions.insert(mesh.positions.end(), other.positions.begin(), other.positions.end());
+    for (std::size_t i = 0; i < other.triangles.size(); ++i)  // interleaved, the second cube first
+        mesh.triangles.insert(mesh.triangles.begin() + 2 * i, other.triangles[i] + offset);
+
+    const auto found = casters(sceneOf(mesh));
+    ASSERT_THAT(found, SizeIs(2));
+    EXPECT_THAT(found[0].triangles, ElementsAre(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22));
+    EXPECT_THAT(found[1].triangles, ElementsAre(1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23));
+}
+
+TEST(Casters, LeaveOutReceivers) {
+    Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    scene.objects.push_back({.mesh = cube({3, 0, 0}, 1), .twoSided = true});
+    scene.objects[0].casts = false;
+    const auto found = casters(scene);
+    ASSERT_THAT(found, SizeIs(1));
+    EXPECT_EQ(found[0].object, 1u);
+    EXPECT_TRUE(found[0].twoSided);
+}
+
+TEST(LitCaster, LeavesOutFacesSeenEdgeOn) {
+    const Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    // In the plane x = 1, above the top: only the two triangles of the top.
+    const LitCaster lit = litCaster(scene, casters(scene)[0], {1, 3, 0, 1}, Silhouette::Winding);
+    EXPECT_THAT(lit.lit, SizeIs(2));
+    EXPECT_THAT(lit.sides, SizeIs(4));
+    EXPECT_THAT(litCaster(scene, casters(scene)[0], {0, 1, 0, 0}, Silhouette::Winding).lit, SizeIs(2));
+}
+
+TEST(LitCaster, IsEmptyFromInsideAClosedMesh) {
+    const Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    const LitCaster lit = litCaster(scene, casters(scene)[0], {0, 0, 0, 1}, Silhouette::Winding);
+    EXPECT_THAT(lit.lit, IsEmpty());
+    EXPECT_THAT(lit.sides, IsEmpty());
+}
+
+TEST(LitCaster, WindsTwoSidedTrianglesTowardsTheLight) {
+    Scene scene = sceneOf(soup(30, 200, 7));
+    scene.objects[0].twoSided = true;
+    const glm::vec4 light(0.3f, 2, 0.1f, 1);
+    const Mesh& mesh = scene.objects[0].mesh;
+    for (const glm::uvec3& t : litCaster(scene, whole(scene), light, Silhouette::Winding).lit)
+        EXPECT_EQ(orientation(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], light), 1);
+}
+
+TEST(LitCaster, CountsEdgesWithTheirSign) {
+    // Three fins on one edge, all lit and walking it alike: three sides there.
+    Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0.5f}, {0, 1, -0.5f}},
+              .triangles = {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}}};
+    const Scene scene = sceneOf(mesh);
+    const LitCaster lit = litCaster(scene, whole(scene), {0, 0, 10, 1}, Silhouette::Winding);
+    ASSERT_THAT(lit.sides, SizeIs(7));
+    EXPECT_EQ(lit.sides[0].from, 0u);
+    EXPECT_EQ(lit.sides[0].to, 1u);
+    EXPECT_EQ(lit.sides[0].weight, 3);
+}
+
+TEST(LitCaster, WindingAndPerTriangleSidesAreTheSameChain) {
+    for (unsigned seed = 0; seed < 20; ++seed) {
+        Scene scene = sceneOf(soup(12 + seed, 150, seed));
+        scene.objects[0].twoSided = seed % 2;
+        for (const glm::vec4 light :
+             {glm::vec4(0, 3, 0, 1), glm::vec4(0, 0, 0, 1), glm::vec4(0.6f, 0, 0.8f, 0)}) {
+            const LitCaster winding = litCaster(scene, whole(scene), light, Silhouette::Winding);
+            const LitCaster triangles = litCaster(scene, whole(scene), light, Silhouette::PerTriangle);
+            ASSERT_THAT(triangles.sides, SizeIs(3 * triangles.lit.size()));
+            ASSERT_EQ(chain(winding.sides), chain(triangles.sides));
+            // Each undirected edge once, none with weight 0.
+            ASSERT_THAT(winding.sides, SizeIs(chain(winding.sides).size()));
+        }
+    }
+}
+
+TEST(LitCaster, DoesNotDependOnTheOrderOfTriangles) {
+    const auto sides = [](const Mesh& mesh) {
+        const Scene scene = sceneOf(mesh);
+        std::vector<std::array<std::uint32_t, 3>> list;
+        for (const Side& s : litCaster(scene, whole(scene), {0, 3, 0, 1}, Silhouette::Winding).sides)
+            list.push_back({s.from, s.to, static_cast<std::uint32_t>(s.weight)});
+        return list;
+    };
+    Mesh mesh = soup(20, 300, 5);
+    const auto before = sides(mesh);
+    std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), std::mt19937(9));
+    EXPECT_EQ(sides(mesh), before);
+}
+
+TEST(LitCaster, TakesSparseVertexNumbers) {
+    Mesh mesh = cube({0, 0, 0}, 1);
+    mesh.positions.resize(1000);
+    std::swap(mesh.positions[999], mesh.positions[0]);
+    for (glm::uvec3& t : mesh.triangles) {
+        for (int k = 0; k < 3; ++k) t[k] = t[k] == 0 ? 999 : t[k];
+    }
+    const Scene scene = sceneOf(mesh);
+    EXPECT_THAT(litCaster(scene, casters(scene)[0], {0, 3, 0, 1}, Silhouette::Winding).sides, SizeIs(4));
+}
+
+TEST(LitCaster, IsFastOn350kTriangles) {
+    const Scene scene = sceneOf(blob({0, 0, 0}, 1, 418, 420, 0.001f, 1));
+    ASSERT_GT(triangleCount(scene), 350000u);
+    const Caster caster = whole(scene);
+    const auto start = std::chrono::steady_clock::now();
+    const LitCaster lit = litCaster(scene, caster, {3, 3, 0, 1}, Silhouette::Winding);
+    const double ms =
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    EXPECT_GT(lit.sides.size(), 400u);
+    RecordProperty("ms", std::to_string(ms));
+    EXPECT_LT(ms, 2000);  // some 30 ms; the bound catches only a wrong order of growth, also under sanitizers
+}
+
+TEST(Extruded, PointsAwayFromTheLight) {
+    EXPECT_EQ(extruded({1, 2, 3}, {0.5f, 1, 1, 1}), glm::vec4(0.5f, 1, 2, 0));
+    EXPECT_EQ(extruded({1, 2, 3}, {0, 1, 0, 0}), glm::vec4(0, -1, 0, 0));
+}
+
+}  // namespace
+}  // namespace gnomon
