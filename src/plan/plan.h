@@ -1,0 +1,147 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "profile/profile.h"
+
+namespace gnomon {
+
+/// What a pass draws; also what it counts as in the papers' tables.
+enum class PassKind {
+    Clear,      ///< the buffers; counts as nothing
+    Scene,      ///< all surfaces of the scene
+    Volume,     ///< faces of one shadow volume, or of all
+    Rectangle,  ///< a rectangle over the whole window
+    Copy,       ///< frame buffer to texture
+};
+
+/// How the surfaces of a scene pass are coloured. Each is a colour per vertex, computed on the host.
+enum class Shading {
+    None,     ///< depth only: no colour is written
+    Lit,      ///< ambient and diffuse, as without shadows
+    Diffuse,  ///< the light's part alone: black where the seen side faces away
+    Ambient,  ///< the part that needs no light
+};
+
+enum class Faces { Front, Back, Both };
+
+/// Texture formats into which a mask is copied.
+enum class MaskTexture {
+    None,
+    Rgb,        ///< colour mask, applied as a colour
+    Intensity,  ///< colour mask whose red channel is also the alpha with which it is applied
+    Alpha,      ///< alpha mask
+};
+
+/// The state of the blender in one pass; off by default.
+struct Blend {
+    bool enabled = false;
+    BlendFactor source = BlendFactor::One, destination = BlendFactor::Zero;
+    BlendEquation equation = BlendEquation::Add;
+    bool operator==(const Blend&) const = default;
+};
+
+/// The stencil operations for one side of faces. A fragment that fails the stencil test changes nothing.
+struct StencilSide {
+    StencilOp onDepthFail = StencilOp::Keep, onPass = StencilOp::Keep;
+    bool operator==(const StencilSide&) const = default;
+};
+
+/// The stencil test of one pass; off by default.
+struct Stencil {
+    bool enabled = false;
+    Compare function = Compare::Always;
+    int reference = 0;
+    StencilSide front{}, back{};  ///< equal unless the chip has two-sided stencil
+    bool operator==(const Stencil&) const = default;
+};
+
+/// Channels that a pass writes.
+struct ColourWrite {
+    bool red = true, green = true, blue = true, alpha = false;
+    bool any() const { return red || green || blue || alpha; }
+    bool operator==(const ColourWrite&) const = default;
+};
+constexpr ColourWrite kWriteNothing{false, false, false, false};
+constexpr ColourWrite kWriteColour{true, true, true, false};
+constexpr ColourWrite kWriteAlpha{false, false, false, true};
+constexpr ColourWrite kWriteAll{true, true, true, true};
+
+constexpr int kAllVolumes = -1;
+
+/// One pass as a plain value: what geometry, into which channels, under which state.
+struct Pass {
+    PassKind kind = PassKind::Clear;
+    std::string label{};  ///< what it does to the mask or the picture, for people
+
+    // Geometry
+    Shading shading = Shading::None;  ///< Scene
+    int volume = kAllVolumes;         ///< Volume: index into the frame's volumes
+    Faces faces = Faces::Both;        ///< Volume: the rest is culled
+    glm::vec4 colour{1};  ///< constant source colour of volumes and rectangles; the value of a clear
+
+    // State
+    bool clearsDepth = false, clearsStencil = false;  ///< Clear
+    bool clearsToBackground = false;  ///< Clear: red, green and blue are the scene's background
+    bool depthTest = false, depthWrite = false;
+    Compare depthFunction = Compare::Less;
+    ColourWrite write = kWriteColour;
+    Blend blend{};
+    Stencil stencil{};
+    MaskTexture texture =
+        MaskTexture::None;       ///< Copy: the format to copy into; Rectangle: the mask is mapped onto it
+    bool lowResolution = false;  ///< draws into the mask's viewport instead of the window
+};
+
+/// Where a finished mask can be read, and how.
+enum class MaskPlace { None, Stencil, Colour, Alpha, Texture };
+
+/// The list of passes that draw one frame with one method, and what is needed to judge it. A value: nothing
+/// here is tied to OpenGL, to a scene, or to a chip beyond the choices that were made for it.
+struct Plan {
+    std::vector<Pass> passes{};
+    int width = 0, height = 0;                ///< window, pixels
+    int maskWidth = 0, maskHeight = 0;        ///< viewport of the mask, pixels
+    int textureWidth = 0, textureHeight = 0;  ///< of the mask's texture, texels; 0 without one
+
+    MaskPlace maskPlace = MaskPlace::None;
+    std::size_t maskReady = 0;  ///< the mask stands in maskPlace after this many passes
+    /// A mask value below this is a shadow, in 0..1: half way between the values of a finished mask.
+    /// For the stencil: anything but 0 is a shadow.
+    double threshold = 0.5;
+
+    int smallestMaskBits = 0;  ///< bits per channel that the arithmetic needs; 0: any
+};
+
+/// Passes by kind, as the papers count them; clears count as nothing.
+struct PassCounts {
+    int scene = 0, volume = 0, rectangle = 0, copy = 0;
+    bool operator==(const PassCounts&) const = default;
+};
+
+PassCounts countPasses(const Plan& plan);
+
+/// A capability that a plan needs and a chip lacks.
+struct Missing {
+    std::string key{};     ///< the profile's key: "stencil_bits"
+    std::string what{};    ///< one phrase: "destination alpha beside depth"
+    std::string source{};  ///< the profile's source for the limit
+    bool operator==(const Missing&) const = default;
+};
+
+/// What @p profile lacks for @p plan, each once, in the order in which the plan runs into it; empty if it can
+/// run.
+std::vector<Missing> missing(const Profile& profile, const Plan& plan);
+
+/// The bytes of a frame of this size on the chip: two colour buffers and one of depth.
+/// Depth of 24 bits shares a 32-bit word with the stencil.
+std::int64_t frameBytes(const Profile& profile, int width, int height);
+
+/// One line in OpenGL's terms: "depth LEQUAL, blend DST_COLOR ONE, colour 1 1 1, write RGB".
+std::string describeState(const Pass& pass);
+
+}  // namespace gnomon
