@@ -1,0 +1,104 @@
+#include "gl/counter.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+/// Whether four corners cover the whole viewport: each is a corner of the clip volume, and they all differ.
+bool coversViewport(GLint size, const void* positions, GLint first, GLsizei count) {
+    if (count != 4 || positions == nullptr) return false;
+    const auto* v = static_cast<const float*>(positions) + std::ptrdiff_t(first) * size;
+    unsigned corners = 0;
+    for (int i = 0; i < 4; ++i, v += size) {
+        if ((v[0] != 1 && v[0] != -1) || (v[1] != 1 && v[1] != -1)) return false;
+        corners |= 1u << ((v[0] > 0) + 2 * (v[1] > 0));
+    }
+    return corners == 15;
+}
+
+}  // namespace
+
+void Counter::reset() {
+    *m_counts = {};
+    m_state->run = Kind::None;
+}
+
+GlTable Counter::count(GlTable next) {
+    const auto counts = m_counts;
+    const auto state = m_state;
+    const auto driver = std::make_shared<const GlTable>(std::move(next));
+    GlTable gl = *driver;
+
+    const auto add = [counts, state](Kind kind) {
+        if (state->run == kind && kind != Kind::Rectangle) return;
+        state->run = kind;
+        if (kind == Kind::Scene) ++counts->passes.scene;
+        if (kind == Kind::Volume) ++counts->passes.volume;
+        if (kind == Kind::Rectangle) ++counts->passes.rectangle;
+        if (kind == Kind::Copy) ++counts->passes.copy;
+    };
+    /// A state call ends the run.
+    const auto ending = [state]<class... Args>(const std::function<void(Args...)>& entry) {
+        return std::function<void(Args...)>([state, entry](Args... args) {
+            state->run = Kind::None;
+            entry(args...);
+        });
+    };
+
+    gl.Clear = ending(driver->Clear);
+    gl.ColorMask = ending(driver->ColorMask);
+    gl.Viewport = ending(driver->Viewport);
+    gl.Enable = ending(driver->Enable);
+    gl.Disable = ending(driver->Disable);
+    gl.DepthFunc = ending(driver->DepthFunc);
+    gl.StencilFunc = ending(driver->StencilFunc);
+    gl.StencilOp = ending(driver->StencilOp);
+    gl.StencilOpSeparate = ending(driver->StencilOpSeparate);
+    gl.BlendFunc = ending(driver->BlendFunc);
+    gl.BlendFuncSeparate = ending(driver->BlendFuncSeparate);
+    gl.BlendEquation = ending(driver->BlendEquation);
+    gl.CullFace = ending(driver->CullFace);
+    gl.Color4f = ending(driver->Color4f);
+
+    gl.DepthMask = [=](GLboolean write) {
+        state->run = Kind::None;
+        state->depthWrite = write;
+        driver->DepthMask(write);
+    };
+    gl.EnableClientState = [=](GLenum array) {
+        if (array == GL_COLOR_ARRAY) state->colourArray = true;
+        driver->EnableClientState(array);
+    };
+    gl.DisableClientState = [=](GLenum array) {
+        if (array == GL_COLOR_ARRAY) state->colourArray = false;
+        driver->DisableClientState(array);
+    };
+    gl.VertexPointer = [=](GLint size, GLenum type, GLsizei stride, const void* pointer) {
+        state->size = size;
+        state->positions = type == GL_FLOAT && stride == 0 ? pointer : nullptr;
+        driver->VertexPointer(size, type, stride, pointer);
+    };
+    gl.DrawArrays = [=](GLenum mode, GLint first, GLsizei vertices) {
+        ++counts->draws;
+        counts->vertices += vertices;
+        if (coversViewport(state->size, state->positions, first, vertices))
+            add(Kind::Rectangle);
+        else
+            add(!state->depthWrite && !state->colourArray ? Kind::Volume : Kind::Scene);
+        driver->DrawArrays(mode, first, vertices);
+    };
+    gl.CopyTexImage2D = [=](GLenum target, GLint level, GLenum format, GLint x, GLint y, GLsizei width,
+                            GLsizei height, GLint border) {
+        add(Kind::Copy);
+        driver->CopyTexImage2D(target, level, format, x, y, width, height, border);
+    };
+    gl.CopyTexSubImage2D = [=](GLenum target, GLint level, GLint s, GLint t, GLint x, GLint y, GLsizei width,
+                               GLsizei height) {
+        add(Kind::Copy);
+        driver->CopyTexSubImage2D(target, level, s, t, x, y, width, height);
+    };
+    return gl;
+}
+
+}  // namespace gnomon

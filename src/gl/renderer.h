@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "gl/counter.h"
+#include "gl/frame.h"
+#include "gl/surface.h"
+#include "image/image.h"
+#include "plan/plan.h"
+
+namespace gnomon {
+
+/// What one frame showed and cost.
+struct Rendered {
+    Image image{};  ///< RGB, rows from the top
+    std::vector<bool>
+        maskShadow{};  ///< per pixel of the window, rows from the top: the mask calls it a shadow
+    CallCounts counts{};
+    double cpuMs = 0;   ///< thread CPU time of the frame's OpenGL calls, until they are finished
+    double hostMs = 0;  ///< thread CPU time of building surfaces and volumes; filled in by the caller
+};
+
+/// Called after each pass, with its index, while the buffers stand as it left them.
+using AfterPass = std::function<void(std::size_t pass)>;
+
+/// Runs the passes of @p plan on @p surface through @p profile's capability layer, and reads the result.
+///
+/// @pre the surface has plan.width x plan.height pixels and the profile's buffers
+/// @throws CapabilityViolation  the plan uses what the chip lacks
+/// @throws std::runtime_error   an OpenGL error, naming the pass
+Rendered render(Surface& surface, const Profile& profile, const Plan& plan, const FrameSurfaces& surfaces,
+                const FrameVolumes& volumes, const AfterPass& afterPass = {});
+
+/// The colour buffer as it stands: RGB, or RGBA where @p alpha; rows from the top.
+Image readColour(Surface& surface, bool alpha = false);
+
+/// The stencil buffer as it stands, one channel, 8 bits, rows from the top.
+/// @pre the surface has one
+Image readStencil(Surface& surface);
+
+/// Thread CPU time in milliseconds, from an arbitrary start.
+double threadCpuMs();
+
+}  // namespace gnomon

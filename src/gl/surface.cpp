@@ -1,0 +1,175 @@
+#include "gl/surface.h"
+
+#include <GL/osmesa.h>
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <stdexcept>
+
+namespace gnomon {
+namespace {
+
+template <class Result, class... Args>
+void load(std::function<Result(Args...)>& entry, const char* name) {
+    using Raw = Result (*)(Args...);
+    const auto raw = reinterpret_cast<Raw>(OSMesaGetProcAddress(name));
+    if (!raw) throw std::runtime_error(fmt::format("OSMesa has no {}", name));
+    entry = raw;
+}
+
+GlTable loadDriver() {
+    GlTable gl;
+    load(gl.Clear, "glClear");
+    load(gl.ClearColor, "glClearColor");
+    load(gl.ClearStencil, "glClearStencil");
+    load(gl.ColorMask, "glColorMask");
+    load(gl.Viewport, "glViewport");
+    load(gl.ReadPixels, "glReadPixels");
+    load(gl.PixelStorei, "glPixelStorei");
+    load(gl.Enable, "glEnable");
+    load(gl.Disable, "glDisable");
+    load(gl.DepthFunc, "glDepthFunc");
+    load(gl.DepthMask, "glDepthMask");
+    load(gl.AlphaFunc, "glAlphaFunc");
+    load(gl.StencilFunc, "glStencilFunc");
+    load(gl.StencilOp, "glStencilOp");
+    load(gl.StencilMask, "glStencilMask");
+    load(gl.StencilFuncSeparate, "glStencilFuncSeparate");
+    load(gl.StencilOpSeparate, "glStencilOpSeparate");
+    load(gl.StencilMaskSeparate, "glStencilMaskSeparate");
+    load(gl.BlendFunc, "glBlendFunc");
+    load(gl.BlendFuncSeparate, "glBlendFuncSeparate");
+    load(gl.BlendEquation, "glBlendEquation");
+    load(gl.BlendEquationSeparate, "glBlendEquationSeparate");
+    load(gl.BlendColor, "glBlendColor");
+    load(gl.LogicOp, "glLogicOp");
+    load(gl.CullFace, "glCullFace");
+    load(gl.PolygonOffset, "glPolygonOffset");
+    load(gl.ClipPlane, "glClipPlane");
+    load(gl.Color4f, "glColor4f");
+    load(gl.EnableClientState, "glEnableClientState");
+    load(gl.DisableClientState, "glDisableClientState");
+    load(gl.VertexPointer, "glVertexPointer");
+    load(gl.ColorPointer, "glColorPointer");
+    load(gl.TexCoordPointer, "glTexCoordPointer");
+    load(gl.DrawArrays, "glDrawArrays");
+    load(gl.GenTextures, "glGenTextures");
+    load(gl.DeleteTextures, "glDeleteTextures");
+    load(gl.BindTexture, "glBindTexture");
+    load(gl.TexImage2D, "glTexImage2D");
+    load(gl.TexParameteri, "glTexParameteri");
+    load(gl.TexEnvi, "glTexEnvi");
+    load(gl.CopyTexImage2D, "glCopyTexImage2D");
+    load(gl.CopyTexSubImage2D, "glCopyTexSubImage2D");
+    load(gl.ActiveTexture, "glActiveTexture");
+    load(gl.CreateShader, "glCreateShader");
+    load(gl.CreateProgram, "glCreateProgram");
+    load(gl.UseProgram, "glUseProgram");
+    load(gl.Finish, "glFinish");
+    load(gl.GetError, "glGetError");
+    return gl;
+}
+
+struct PixelFormat {
+    GLenum osmesa = 0, type = 0;
+    int bytes = 0;
+};
+
+PixelFormat pixelFormat(const BufferFormat& f) {
+    if (f.red == 5 && f.green == 6 && f.blue == 5 && f.alpha == 0)
+        return {OSMESA_RGB_565, GL_UNSIGNED_SHORT_5_6_5, 2};
+    if (f.red == 8 && f.green == 8 && f.blue == 8 && f.alpha == 8) return {OSMESA_RGBA, GL_UNSIGNED_BYTE, 4};
+    throw std::runtime_error(
+        fmt::format("no OSMesa buffer of {}{}{}{} bits", f.red, f.green, f.blue, f.alpha));
+}
+
+}  // namespace
+
+struct Surface::Impl {
+    BufferFormat format{};
+    PixelFormat pixels{};
+    int width = 0, height = 0;
+    OSMesaContext context = nullptr;
+    std::vector<std::uint32_t> buffer{};
+    GlTable driver{};
+
+    ~Impl() {
+        if (context) OSMesaDestroyContext(context);
+    }
+};
+
+BufferFormat bufferFormatOf(const Profile& profile) {
+    const ColourFormat& c = profile.colourFormats.front();
+    BufferFormat format{.red = c.red, .green = c.green, .blue = c.blue, .alpha = c.alpha};
+    if (profile.alphaExcludesDepth) format.alpha = 0;
+    format.depth = profile.depthBits.empty() ? 0 : profile.depthBits.front();
+    format.stencil = profile.stencilBits;
+    if (format.stencil > 0 && format.depth < 24)
+        throw std::runtime_error(
+            fmt::format("{}: OSMesa has no stencil beside {}-bit depth", profile.id, format.depth));
+    return format;
+}
+
+Surface::Surface(const BufferFormat& format, int width, int height) : m_impl(std::make_unique<Impl>()) {
+    // One thread per process: the matrix runs processes side by side, and thread CPU time then times a frame.
+    setenv("LP_NUM_THREADS", "0", 1);
+    setenv("GALLIUM_DRIVER", "llvmpipe", 0);
+    Impl& m = *m_impl;
+    m.format = format;
+    m.width = width;
+    m.height = height;
+    m.pixels = pixelFormat(format);
+    const int attributes[] = {OSMESA_FORMAT,
+                              int(m.pixels.osmesa),
+                              OSMESA_DEPTH_BITS,
+                              format.depth,
+                              OSMESA_STENCIL_BITS,
+                              format.stencil,
+                              OSMESA_ACCUM_BITS,
+                              0,
+                              OSMESA_PROFILE,
+                              OSMESA_COMPAT_PROFILE,
+                              0};
+    m.context = OSMesaCreateContextAttribs(attributes, nullptr);
+    if (!m.context) throw std::runtime_error("OSMesa gives no context");
+    m.buffer.resize((std::size_t(width) * height * m.pixels.bytes + 3) / 4);
+    makeCurrent();
+    m.driver = loadDriver();
+
+    // What was asked for and nothing else.
+    GLint depth = 0, stencil = 0;
+    using GetInteger = void (*)(GLenum, GLint*);
+    const auto getInteger = reinterpret_cast<GetInteger>(OSMesaGetProcAddress("glGetIntegerv"));
+    getInteger(GL_DEPTH_BITS, &depth);
+    getInteger(GL_STENCIL_BITS, &stencil);
+    if (depth != format.depth || stencil != format.stencil)
+        throw std::runtime_error(fmt::format("OSMesa gives {} bits of depth and {} of stencil for {} and {}",
+                                             depth, stencil, format.depth, format.stencil));
+    m.driver.PixelStorei(GL_PACK_ALIGNMENT, 1);
+    m.driver.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    // Dithering is on by default in OpenGL; llvmpipe has none, and a mask must not depend on it.
+    m.driver.Disable(GL_DITHER);
+}
+
+Surface::~Surface() = default;
+
+const GlTable& Surface::driver() const {
+    return m_impl->driver;
+}
+const BufferFormat& Surface::format() const {
+    return m_impl->format;
+}
+int Surface::width() const {
+    return m_impl->width;
+}
+int Surface::height() const {
+    return m_impl->height;
+}
+
+void Surface::makeCurrent() {
+    Impl& m = *m_impl;
+    if (!OSMesaMakeCurrent(m.context, m.buffer.data(), m.pixels.type, m.width, m.height))
+        throw std::runtime_error(fmt::format("OSMesa can't draw {}x{} in this format", m.width, m.height));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <GL/gl.h>
+#include <GL/glext.h>
+
+#include <functional>
+
+namespace gnomon {
+
+/// The OpenGL entry points that gnomon's renderer and its capability layer know, as a value. A decorator
+/// takes such a table and gives one back; nobody above calls OpenGL by its global names. Members are named as
+/// the entry points without their "gl".
+struct GlTable {
+    template <class... Args>
+    using Call = std::function<void(Args...)>;
+
+    // Frame buffer
+    Call<GLbitfield> Clear{};
+    Call<GLfloat, GLfloat, GLfloat, GLfloat> ClearColor{};
+    Call<GLint> ClearStencil{};
+    Call<GLboolean, GLboolean, GLboolean, GLboolean> ColorMask{};
+    Call<GLint, GLint, GLsizei, GLsizei> Viewport{};
+    Call<GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void*> ReadPixels{};
+    Call<GLenum, GLint> PixelStorei{};
+
+    // Tests
+    Call<GLenum> Enable{}, Disable{};
+    Call<GLenum> DepthFunc{};
+    Call<GLboolean> DepthMask{};
+    Call<GLenum, GLfloat> AlphaFunc{};
+    Call<GLenum, GLint, GLuint> StencilFunc{};
+    Call<GLenum, GLenum, GLenum> StencilOp{};
+    Call<GLuint> StencilMask{};
+    Call<GLenum, GLenum, GLint, GLuint> StencilFuncSeparate{};
+    Call<GLenum, GLenum, GLenum, GLenum> StencilOpSeparate{};
+    Call<GLenum, GLuint> StencilMaskSeparate{};
+
+    // Blending
+    Call<GLenum, GLenum> BlendFunc{};
+    Call<GLenum, GLenum, GLenum, GLenum> BlendFuncSeparate{};
+    Call<GLenum> BlendEquation{};
+    Call<GLenum, GLenum> BlendEquationSeparate{};
+    Call<GLfloat, GLfloat, GLfloat, GLfloat> BlendColor{};
+    Call<GLenum> LogicOp{};
+
+    // Geometry
+    Call<GLenum> CullFace{};
+    Call<GLfloat, GLfloat> PolygonOffset{};
+    Call<GLenum, const GLdouble*> ClipPlane{};
+    Call<GLfloat, GLfloat, GLfloat, GLfloat> Color4f{};
+    Call<GLenum> EnableClientState{}, DisableClientState{};
+    Call<GLint, GLenum, GLsizei, const void*> VertexPointer{}, ColorPointer{}, TexCoordPointer{};
+    Call<GLenum, GLint, GLsizei> DrawArrays{};
+
+    // Textures
+    Call<GLsizei, GLuint*> GenTextures{};
+    Call<GLsizei, const GLuint*> DeleteTextures{};
+    Call<GLenum, GLuint> BindTexture{};
+    Call<GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void*> TexImage2D{};
+    Call<GLenum, GLenum, GLint> TexParameteri{};
+    Call<GLenum, GLenum, GLint> TexEnvi{};
+    Call<GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint> CopyTexImage2D{};
+    Call<GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei> CopyTexSubImage2D{};
+    Call<GLenum> ActiveTexture{};
+
+    // Programs
+    std::function<GLuint(GLenum)> CreateShader{};
+    std::function<GLuint()> CreateProgram{};
+    Call<GLuint> UseProgram{};
+
+    Call<> Finish{};
+    std::function<GLenum()> GetError{};
+};
+
+}  // namespace gnomon

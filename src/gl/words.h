@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gl/table.h"
+#include "profile/profile.h"
+
+namespace gnomon {
+
+/// OpenGL's enumerants for the words of profiles and plans, and back; nothing for an enumerant that has no
+/// word.
+GLenum glEnum(BlendFactor);
+GLenum glEnum(BlendEquation);
+GLenum glEnum(Compare);
+GLenum glEnum(StencilOp);
+std::optional<BlendFactor> blendFactorOf(GLenum);
+std::optional<BlendEquation> blendEquationOf(GLenum);
+std::optional<Compare> compareOf(GLenum);
+std::optional<StencilOp> stencilOpOf(GLenum);
+
+/// "GL_STENCIL_TEST", or the number in hexadecimal.
+std::string enumName(GLenum value);
+
+}  // namespace gnomon
