@@ -1,0 +1,18 @@
+#include "matrix/cell.h"
+
+#include <fmt/format.h>
+
+#include <array>
+
+namespace gnomon {
+
+std::string Cell::id() const {
+    return fmt::format("{}/{}/{}/{}x{}/{}", profile, method, scene, width, height, frame);
+}
+
+const std::string& name(Verdict verdict) {
+    static const std::array<std::string, 5> names{"exact", "edge", "wrong", "refused", "failed"};
+    return names[std::size_t(verdict)];
+}
+
+}  // namespace gnomon

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "method/method.h"
+#include "plan/plan.h"
+
+namespace gnomon {
+
+enum class Verdict {
+    Exact,    ///< every untied pixel is as truth says
+    Edge,     ///< wrong pixels, all within one mask pixel of the true boundary of a shadow
+    Wrong,    ///< a leak or a hole: wrong pixels away from the boundary
+    Refused,  ///< the chip lacks what the plan needs
+    Failed,   ///< crash, time-out, OpenGL error: a fault of ours or of the driver
+};
+
+/// One cell of the matrix: a profile, a method, a scene, a size, a frame, and what came of it.
+struct Cell {
+    std::string profile{}, method{}, scene{};
+    Axes axes{};
+    int width = 0, height = 0, frame = 0;
+    std::string fidelity = "gl";
+
+    Verdict verdict = Verdict::Failed;
+    bool chosen = false;                  ///< the path that gnomon takes on this chip when no method is named
+    std::vector<Missing> missing{};       ///< Refused: what is lacking
+    std::string error{};                  ///< Failed: one line
+    std::map<std::string, int> causes{};  ///< wrong pixels by cause
+
+    PassCounts passes{};  ///< as the capability layer counted them; of a refused cell, the plan's length
+    int pixels = 0;
+    int tiedTruth = 0, tiedCount = 0;
+    int wrongEdge = 0, wrongInterior = 0;
+    double cpuMs = 0, unshadowedMs = 0;  ///< thread CPU time of the frame, and of the same without shadows
+    std::string digest{};                ///< over mask and image, 16 hexadecimal digits
+
+    std::string id() const;  ///< "voodoo2/roettger-screen/roettger/512x512/0"
+};
+
+const std::string& name(Verdict);
+
+}  // namespace gnomon

@@ -1,0 +1,98 @@
+#include "matrix/cell_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace gnomon {
+namespace {
+
+/// The word of an enumeration whose values count from 0 to @p count - 1.
+template <class Enum>
+Enum wordOf(const std::string& word, int count) {
+    for (int i = 0; i < count; ++i)
+        if (name(Enum(i)) == word) return Enum(i);
+    throw std::invalid_argument("no such word: " + word);
+}
+
+double rounded(double milliseconds) {
+    return std::round(milliseconds * 1000) / 1000;
+}
+
+}  // namespace
+
+nlohmann::ordered_json toJson(const Cell& c) {
+    nlohmann::ordered_json missing = nlohmann::ordered_json::array();
+    for (const Missing& m : c.missing)
+        missing.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
+    nlohmann::ordered_json causes = nlohmann::ordered_json::object();
+    for (const auto& [cause, pixels] : c.causes) causes[cause] = pixels;
+    nlohmann::ordered_json json{
+        {"cell", c.id()},
+        {"profile", c.profile},
+        {"method", c.method},
+        {"scene", c.scene},
+        {"store", name(c.axes.store)},
+        {"arithmetic", name(c.axes.arithmetic)},
+        {"levels", c.axes.levels},
+        {"count", name(c.axes.count)},
+        {"silhouette", name(c.axes.silhouette)},
+        {"mask_scale", 1.0 / c.axes.maskDivisor},
+        {"apply", name(c.axes.apply)},
+        {"shade", name(c.axes.shade)},
+        {"width", c.width},
+        {"height", c.height},
+        {"frame", c.frame},
+        {"fidelity", c.fidelity},
+        {"verdict", name(c.verdict)},
+        {"chosen", c.chosen},
+        {"missing", missing},
+        {"causes", causes},
+        {"passes",
+         {{"scene", c.passes.scene},
+          {"volume", c.passes.volume},
+          {"rectangle", c.passes.rectangle},
+          {"copy", c.passes.copy}}},
+        {"pixels", c.pixels},
+        {"tied", {{"truth", c.tiedTruth}, {"count", c.tiedCount}}},
+        {"wrong", {{"edge", c.wrongEdge}, {"interior", c.wrongInterior}}},
+        {"cpu_ms", rounded(c.cpuMs)},
+        {"unshadowed_ms", rounded(c.unshadowedMs)},
+        {"digest", c.digest},
+    };
+    if (c.axes.maskDivisor == 1) json["mask_scale"] = 1;
+    if (c.axes.arithmetic != Arithmetic::Double) json.erase("levels");
+    if (c.verdict == Verdict::Failed) json["error"] = c.error;
+    return json;
+}
+
+Cell cellFromJson(const nlohmann::ordered_json& j) {
+    Cell c;
+    c.profile = j.at("profile"), c.method = j.at("method"), c.scene = j.at("scene");
+    c.axes.store = wordOf<Store>(j.at("store"), 4);
+    c.axes.arithmetic = wordOf<Arithmetic>(j.at("arithmetic"), 3);
+    c.axes.levels = j.value("levels", 0);
+    c.axes.count = wordOf<Count>(j.at("count"), 2);
+    c.axes.silhouette = wordOf<Silhouette>(j.at("silhouette"), 2);
+    c.axes.maskDivisor = int(std::lround(1 / double(j.at("mask_scale"))));
+    c.axes.apply = wordOf<Apply>(j.at("apply"), 2);
+    c.axes.shade = wordOf<Shade>(j.at("shade"), 3);
+    c.width = j.at("width"), c.height = j.at("height"), c.frame = j.at("frame");
+    c.fidelity = j.at("fidelity");
+    c.verdict = wordOf<Verdict>(j.at("verdict"), 5);
+    c.chosen = j.at("chosen");
+    for (const auto& m : j.at("missing"))
+        c.missing.push_back({m.at("capability"), m.at("what"), m.at("source")});
+    for (const auto& [cause, pixels] : j.at("causes").items()) c.causes[cause] = pixels;
+    const auto& p = j.at("passes");
+    c.passes = {p.at("scene"), p.at("volume"), p.at("rectangle"), p.at("copy")};
+    c.pixels = j.at("pixels");
+    c.tiedTruth = j.at("tied").at("truth"), c.tiedCount = j.at("tied").at("count");
+    c.wrongEdge = j.at("wrong").at("edge"), c.wrongInterior = j.at("wrong").at("interior");
+    c.cpuMs = j.at("cpu_ms"), c.unshadowedMs = j.at("unshadowed_ms");
+    c.digest = j.at("digest");
+    c.error = j.value("error", "");
+    return c;
+}
+
+}  // namespace gnomon

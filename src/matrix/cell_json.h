@@ -1,0 +1,17 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "matrix/cell.h"
+
+namespace gnomon {
+
+/// The JSON object of a cell. Numbers and lists are there even when they are empty; "error" is there for a
+/// failed cell only.
+nlohmann::ordered_json toJson(const Cell& cell);
+
+/// Inverse of toJson().
+/// @throws nlohmann::json::exception if @p json isn't such an object
+Cell cellFromJson(const nlohmann::ordered_json& json);
+
+}  // namespace gnomon

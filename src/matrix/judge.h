@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "image/image.h"
+#include "truth/truth.h"
+
+namespace gnomon {
+
+/// What became of one pixel.
+enum class PixelVerdict : std::uint8_t { Right, Tied, WrongEdge, WrongInterior };
+
+/// A rendered mask held against truth.
+struct Judgement {
+    std::vector<PixelVerdict> pixels{};
+    int tiedTruth = 0, tiedCount = 0;
+    int edge = 0, interior = 0;
+    int wrong() const { return edge + interior; }
+};
+
+/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it
+/// must equal Truth::blocked; only where the seen side faces away from the light and nothing blocks it (an
+/// open one-sided caster) is the mask without effect, as the lit pass adds nothing there, and the pixel is
+/// right whatever the mask says.
+///
+/// @param maskShadow   per pixel: the mask calls it a shadow
+/// @param maskDivisor  a wrong pixel within one mask pixel of the true boundary is an edge pixel
+Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor);
+
+/// The shadows that the frame shows: white where the light arrives, black where the mask holds a shadow or
+/// the seen side faces away from the light. One channel.
+Image shadowPicture(const Truth& truth, const std::vector<bool>& maskShadow);
+
+}  // namespace gnomon

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gl/renderer.h"
+#include "matrix/cell.h"
+#include "matrix/judge.h"
+#include "scene/scene.h"
+#include "truth/truth.h"
+
+namespace gnomon {
+
+/// The pictures of one cell.
+struct Pictures {
+    Image image{};
+    Image mask{};   ///< shadowPicture()
+    Image truth{};  ///< the same from the tracer
+    Judgement judgement{};
+};
+
+/// Draws and judges the cells of one scene under its first light. Keeps what cells share: truth, surfaces and
+/// volumes of the frame that was asked for last, OpenGL contexts, and results of cells that look alike to the
+/// plan, the buffers and the chip's arithmetic, which are drawn once.
+class Lab {
+  public:
+    explicit Lab(Scene scene);
+    ~Lab();
+    Lab(const Lab&) = delete;
+    Lab& operator=(const Lab&) = delete;
+
+    const Scene& scene() const;
+
+    /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
+    /// @param afterPass  called with the surface after each pass
+    /// A capability violation or OpenGL error makes the cell failed; nothing is thrown for it.
+    Cell run(const Profile& profile, const Axes& axes, int width, int height, int frame,
+             Pictures* pictures = nullptr,
+             const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
+
+    /// The plan of a cell.
+    Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
+
+    /// One step on the way to a chip's path.
+    struct Candidate {
+        Axes axes{};
+        std::vector<Missing> missing{};
+    };
+    /// The candidates for @p profile in the order in which they are tried, up to and including the first that
+    /// the chip can run; none can if the last one's missing isn't empty. Stencil counting gets a near cap
+    /// where the eye is inside a volume.
+    std::vector<Candidate> path(const Profile& profile, int width, int height, int frame);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace gnomon

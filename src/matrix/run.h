@@ -1,0 +1,40 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "matrix/cell.h"
+#include "profile/profile.h"
+#include "scene/scene.h"
+
+namespace gnomon {
+
+struct Size {
+    int width = 320, height = 240;  ///< what all chips of the table ran but the Nintendo DS
+};
+
+/// What a run covers: the product of its lists.
+struct MatrixRequest {
+    std::vector<Profile> profiles{};
+    std::vector<Axes> methods{};
+    std::vector<Scene> scenes{};
+    std::vector<Size> sizes{};
+    /// Frames of the camera path; those beyond a scene's path are left out. Empty: four, a quarter of the
+    /// path apart.
+    std::vector<int> frames{};
+    int jobs = 1;
+    int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
+};
+
+/// Frames of @p scene that @p request asks for.
+std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene);
+
+/// Runs all cells in request.jobs processes; a crash or a time-out fails the cells that it leaves open, and
+/// no others. The order of cells is that of the request whatever ends first: scenes, sizes, frames, methods,
+/// profiles.
+///
+/// @param progress  called with done and all cells as they come in
+std::vector<Cell> runMatrix(const MatrixRequest& request,
+                            const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+
+}  // namespace gnomon
