@@ -1,0 +1,165 @@
+#include "report/listings.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/table.h"
+
+namespace gnomon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Rows under a head, in any format; JSON objects take the head's words as keys.
+std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
+    if (format == Format::Text) return alignColumns(rows);
+    if (format == Format::Csv) {
+        std::string text;
+        for (const auto& row : rows) text += csvLine(row);
+        return text;
+    }
+    Json all = Json::array();
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        Json object;
+        for (std::size_t i = 0; i < rows[r].size(); ++i) object[rows[0][i]] = rows[r][i];
+        all.push_back(object);
+    }
+    return all.dump(2) + "\n";
+}
+
+std::string formatsOf(const Profile& p) {
+    std::vector<std::string> names;
+    for (const ColourFormat& f : p.colourFormats) names.push_back(f.name);
+    return fmt::format("{}", fmt::join(names, " "));
+}
+
+std::string kindName(PassKind kind) {
+    switch (kind) {
+        case PassKind::Clear:
+            return "clear";
+        case PassKind::Scene:
+            return "scene";
+        case PassKind::Volume:
+            return "volume";
+        case PassKind::Rectangle:
+            return "rectangle";
+        case PassKind::Copy:
+            return "copy";
+    }
+    return {};
+}
+
+/// Volume passes beyond these are folded in the text: a level has thousands.
+constexpr std::size_t kShownVolumes = 8;
+
+}  // namespace
+
+std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
+    std::vector<std::vector<std::string>> rows{{"profile", "title", "year", "colour", "alpha", "depth",
+                                                "stencil", "equations", "textures", "largest"}};
+    for (const Profile& p : profiles) {
+        std::vector<std::string> equations;
+        for (const BlendEquation e : p.blendEquations) equations.push_back(name(e));
+        const std::string alpha =
+            p.alphaBits == 0 ? "-"
+                             : fmt::format("{}{}", p.alphaBits, p.alphaExcludesDepth ? " or depth" : "");
+        rows.push_back({p.id, p.title, p.year ? fmt::format("{}", p.year) : "", formatsOf(p), alpha,
+                        fmt::format("{}", fmt::join(p.depthBits, " ")),
+                        p.stencilBits ? fmt::format("{}", p.stencilBits) : "-",
+                        fmt::format("{}", fmt::join(equations, " ")),
+                        fmt::format("{}x{}", p.textureUnits, p.maxTextureSize),
+                        p.maxWidth ? fmt::format("{}x{}", p.maxWidth, p.maxHeight) : "any"});
+    }
+    return listing(rows, format);
+}
+
+std::string showProfile(const Profile& profile, Format format) {
+    if (format == Format::Json) {
+        Json facts = Json::array();
+        for (const auto& fact : profile.facts)
+            facts.push_back({{"key", fact.key}, {"value", fact.value}, {"source", fact.source}});
+        return Json{{"profile", profile.id},
+                    {"title", profile.title},
+                    {"year", profile.year},
+                    {"facts", facts},
+                    {"sources", profile.sources}}
+                   .dump(2) +
+               "\n";
+    }
+    std::vector<std::vector<std::string>> rows{{"fact", "value", "source"}};
+    for (const auto& fact : profile.facts) rows.push_back({fact.key, fact.value, fact.source});
+    if (format == Format::Csv) return listing(rows, format);
+
+    std::string text = fmt::format("{}: {}\n\n", profile.id, profile.title);
+    for (const auto& fact : profile.facts)
+        text += fmt::format("{:<26}{}\n{:26}[{}]\n", fact.key, wrapText(fact.value, 26), "",
+                            wrapText(fact.source, 27));
+    text += "\nA capability that is not listed is absent.\n";
+    if (!profile.sources.empty()) text += "\nSources\n";
+    for (const std::string& source : profile.sources) text += "  " + wrapText(source, 4) + "\n";
+    return text;
+}
+
+std::string listMethods(const std::vector<NamedMethod>& methods, Format format) {
+    std::vector<std::vector<std::string>> rows{
+        {"method", "store", "arithmetic", "count", "mask_scale", "apply", "source", "summary"}};
+    for (const NamedMethod& m : methods) {
+        const bool none = m.axes.store == Store::None;
+        rows.push_back({m.id, name(m.axes.store), none ? "-" : name(m.axes.arithmetic),
+                        none ? "-" : name(m.axes.count), none ? "-" : maskScaleName(m.axes.maskDivisor),
+                        none ? "-" : name(m.axes.apply), m.source, m.summary});
+    }
+    return listing(rows, format);
+}
+
+std::string listScenes(const std::vector<Scene>& scenes, Format format) {
+    std::vector<std::vector<std::string>> rows{
+        {"scene", "objects", "triangles", "lights", "frames", "title"}};
+    for (const Scene& s : scenes)
+        rows.push_back({s.id, fmt::format("{}", s.objects.size()), fmt::format("{}", triangleCount(s)),
+                        fmt::format("{}", s.lights.size()), fmt::format("{}", s.frames.size()), s.title});
+    return listing(rows, format);
+}
+
+std::string showPlan(const Plan& plan, const std::vector<Missing>& missing, Format format) {
+    const PassCounts counts = countPasses(plan);
+    if (format == Format::Json) {
+        Json passes = Json::array();
+        for (const Pass& pass : plan.passes)
+            passes.push_back(
+                {{"kind", kindName(pass.kind)}, {"label", pass.label}, {"state", describeState(pass)}});
+        Json lacks = Json::array();
+        for (const Missing& m : missing)
+            lacks.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
+        return Json{{"passes", passes},
+                    {"counts",
+                     {{"scene", counts.scene},
+                      {"volume", counts.volume},
+                      {"rectangle", counts.rectangle},
+                      {"copy", counts.copy}}},
+                    {"missing", lacks}}
+                   .dump(2) +
+               "\n";
+    }
+    std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
+    std::size_t volumes = 0;
+    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        if (pass.kind == PassKind::Volume && ++volumes > kShownVolumes && format == Format::Text) continue;
+        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass)});
+    }
+    if (format == Format::Csv) return listing(rows, format);
+    std::string text = alignColumns(rows);
+    if (volumes > kShownVolumes)
+        text += fmt::format("... and {} more volume passes, front and back faces in turn\n",
+                            volumes - kShownVolumes);
+    text += fmt::format("\n{} scene passes, {} volume passes, {} rectangles, {} copies\n", counts.scene,
+                        counts.volume, counts.rectangle, counts.copy);
+    for (const Missing& m : missing)
+        text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
+    return text;
+}
+
+}  // namespace gnomon

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "matrix/cell.h"
+
+namespace gnomon {
+
+/// The matrix for a person: one table per scene and size, methods by chips; frames are drawn together, the
+/// worst verdict counts and the wrong pixels add up. Refusals and causes are spelled out below.
+std::string matrixText(const std::vector<Cell>& cells);
+
+/// One array of cells.
+std::string matrixJson(const std::vector<Cell>& cells);
+
+/// One line per cell under a head line; nested values are flattened ("wrong_edge"), lists joined by "; ".
+std::string matrixCsv(const std::vector<Cell>& cells);
+
+}  // namespace gnomon

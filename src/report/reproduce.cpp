@@ -1,0 +1,70 @@
+#include "report/reproduce.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "report/table.h"
+
+namespace gnomon {
+
+bool Comparison::agrees() const {
+    return counted == planned && counted.scene == publishedScene && counted.rectangle == publishedRectangles;
+}
+
+std::vector<Comparison> roettgerTable1() {
+    std::vector<Comparison> rows;
+    const auto add = [&](Store store, Shade shade, bool maximum, int scene, int rectangles) {
+        Axes axes = findMethod(store == Store::Alpha ? (maximum ? "roettger-alpha-max" : "roettger-alpha")
+                                                     : (maximum ? "roettger-screen-max" : "roettger-screen"))
+                        ->axes;
+        axes.shade = shade;
+        rows.push_back({name(store), name(shade), maximum, scene, rectangles, axes, {}, {}});
+    };
+    add(Store::Alpha, Shade::Black, false, 1, 4);
+    add(Store::Alpha, Shade::Ambient, false, 2, 4);
+    add(Store::Alpha, Shade::Attenuated, false, 1, 4);
+    add(Store::Alpha, Shade::Attenuated, true, 1, 2);
+    add(Store::Screen, Shade::Black, false, 2, 3);
+    add(Store::Screen, Shade::Ambient, false, 3, 3);
+    add(Store::Screen, Shade::Attenuated, false, 2, 3);
+    add(Store::Screen, Shade::Attenuated, true, 2, 1);
+    return rows;
+}
+
+std::string showComparisons(const std::vector<Comparison>& rows, Format format) {
+    if (format == Format::Json) {
+        nlohmann::ordered_json all = nlohmann::ordered_json::array();
+        const auto pair = [](int scene, int rectangles) {
+            return nlohmann::ordered_json{{"scene", scene}, {"rectangle", rectangles}};
+        };
+        for (const Comparison& r : rows)
+            all.push_back({{"buffer", r.buffer},
+                           {"shade", r.shade},
+                           {"maximum", r.maximum},
+                           {"method", methodId(r.axes)},
+                           {"published", pair(r.publishedScene, r.publishedRectangles)},
+                           {"counted", pair(r.counted.scene, r.counted.rectangle)},
+                           {"planned", pair(r.planned.scene, r.planned.rectangle)},
+                           {"agrees", r.agrees()}});
+        return all.dump(2) + "\n";
+    }
+    std::vector<std::vector<std::string>> table{
+        {"buffer", "shade", "blend equation", "method", "published", "counted", "plan", ""}};
+    for (const Comparison& r : rows)
+        table.push_back({r.buffer, r.shade, r.maximum ? "maximum" : "add", methodId(r.axes),
+                         fmt::format("{}/{}", r.publishedScene, r.publishedRectangles),
+                         fmt::format("{}/{}", r.counted.scene, r.counted.rectangle),
+                         fmt::format("{}/{}", r.planned.scene, r.planned.rectangle),
+                         r.agrees() ? "agrees" : "DIFFERS"});
+    if (format == Format::Csv) {
+        table[0].back() = "agrees";
+        std::string text;
+        for (const auto& row : table) text += csvLine(row);
+        return text;
+    }
+    return "Roettger, Irion, Ertl 2002, Table 1: scene passes / rectangles over the window\n\n" +
+           alignColumns(table);
+}
+
+}  // namespace gnomon
