@@ -1,0 +1,16 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace gnomon {
+
+// Each adds its subcommand to @p app; its exit status goes to @p status when it runs.
+void addMatrix(CLI::App& app, int& status);
+void addRender(CLI::App& app, int& status);
+void addPlan(CLI::App& app, int& status);
+void addProfiles(CLI::App& app, int& status);
+void addMethods(CLI::App& app, int& status);
+void addScenes(CLI::App& app, int& status);
+void addReproduce(CLI::App& app, int& status);
+
+}  // namespace gnomon

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/options.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    std::string id{};
+    FormatOption format{};
+};
+
+CLI::App* addListing(CLI::App& app, const std::string& name, const std::string& help,
+                     const std::shared_ptr<Options>& options) {
+    CLI::App* command = app.add_subcommand(name, help);
+    command->add_option("id", options->id, "one of them, with all that is known");
+    options->format.addTo(*command);
+    return command;
+}
+
+}  // namespace
+
+void addProfiles(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    addListing(app, "profiles", "The chips, or all facts of one with their sources", options)
+        ->callback([options, &status] {
+            ProfileOption choice;
+            if (!options->id.empty()) choice.ids = {options->id};
+            const auto profiles = choice.load();
+            const Format format = options->format.value();
+            fmt::print("{}", options->id.empty() ? listProfiles(profiles, format)
+                                                 : showProfile(profiles.front(), format));
+            status = 0;
+        });
+}
+
+void addMethods(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    addListing(app, "methods", "The named methods with their papers", options)->callback([options, &status] {
+        std::vector<NamedMethod> methods = namedMethods();
+        if (!options->id.empty()) {
+            std::vector<std::string> known;
+            for (const NamedMethod& m : methods) known.push_back(m.id);
+            if (!findMethod(options->id))
+                throw UsageError(
+                    fmt::format("no such method '{}' (known: {})", options->id, fmt::join(known, ", ")));
+            methods = {*findMethod(options->id)};
+        }
+        fmt::print("{}", listMethods(methods, options->format.value()));
+        status = 0;
+    });
+}
+
+void addScenes(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    addListing(app, "scenes", "The scenes that come with gnomon, or one scene or mesh file", options)
+        ->callback([options, &status] {
+            SceneOption choice;
+            if (!options->id.empty()) choice.ids = {options->id};
+            const auto scenes = choice.load();
+            fmt::print("{}", listScenes(scenes, options->format.value()));
+            if (!options->id.empty())
+                for (const std::string& note : scenes.front().notes)
+                    fmt::print(stderr, "{}: {}\n", scenes.front().id, note);
+            status = 0;
+        });
+}
+
+}  // namespace gnomon

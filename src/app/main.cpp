@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "app/commands.h"
+#include "app/options.h"
+
+namespace {
+
+enum Exit { kAsExpected = 0, kBadInput = 2, kOurFault = 3 };
+
+void addCommands(CLI::App& app, int& status) {
+    gnomon::addMatrix(app, status);
+    gnomon::addRender(app, status);
+    gnomon::addPlan(app, status);
+    gnomon::addReproduce(app, status);
+    gnomon::addProfiles(app, status);
+    gnomon::addMethods(app, status);
+    gnomon::addScenes(app, status);
+}
+
+int fail(Exit status, const std::string& what) {
+    fmt::print(stderr, "gnomon: {}\n", what);
+    return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    int status = kAsExpected;
+    CLI::App app(
+        "Which shadow algorithm can an old graphics chip run, in how many passes, and how exact?\n"
+        "Methods run on a software OpenGL that is held to one chip's limits, and every pixel is compared\n"
+        "with exact ray-traced truth.",
+        "gnomon");
+    app.require_subcommand(1);
+    app.footer("exit status: 0 as expected, 1 a result differs, 2 bad arguments or files, 3 our own fault");
+    try {
+        addCommands(app, status);
+        app.parse(argc, argv);
+    } catch (const CLI::Success& done) {
+        return app.exit(done);
+    } catch (const CLI::ParseError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::UsageError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::SceneError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::ProfileError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const std::exception& error) {
+        return fail(kOurFault, error.what());
+    }
+    return status;
+}

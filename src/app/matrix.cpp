@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "report/matrix_report.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    ProfileOption profiles{};
+    SceneOption scenes{};
+    MethodOption methods{};
+    SizeOption sizes{};
+    FidelityOption fidelity{};
+    FormatOption format{};
+    std::vector<std::string> frames{};
+    int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+/// Progress on standard error, and only to a terminal.
+void showProgress(std::size_t done, std::size_t all) {
+    if (!isatty(STDERR_FILENO)) return;
+    fmt::print(stderr, "\r{} of {} cells{}", done, all, done == all ? "\n" : "");
+    std::fflush(stderr);
+}
+
+int run(const Options& options) {
+    MatrixRequest request;
+    std::string dropped;
+    request.methods = options.methods.axes(dropped);
+    request.sizes = options.sizes.value();
+    request.frames = parseFrames(options.frames);
+    request.profiles = options.profiles.load();
+    request.scenes = options.scenes.load();
+    request.jobs = options.jobs;
+    for (const Scene& scene : request.scenes) {
+        if (framesOf(request, scene).empty())
+            throw UsageError(
+                fmt::format("--frames: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+        for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
+    }
+    if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
+
+    const std::vector<Cell> cells = runMatrix(request, showProgress);
+    const Format format = options.format.value();
+    fmt::print("{}", format == Format::Json  ? matrixJson(cells)
+                     : format == Format::Csv ? matrixCsv(cells)
+                                             : matrixText(cells));
+    for (const Cell& cell : cells)
+        if (cell.verdict == Verdict::Failed) return 3;
+    return 0;
+}
+
+}  // namespace
+
+void addMatrix(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "matrix",
+        "The main job: draws each scene with each method on each chip, compares every pixel with ray-traced\n"
+        "truth, and says of each cell: exact, edge, wrong (why), refused (what is missing), failed.\n"
+        "Leave a choice out to run all.");
+    options->scenes.addTo(*command, "scenes: ids, scene files, mesh files");
+    options->profiles.addTo(*command, "chips (gnomon profiles lists them)");
+    options->methods.addTo(*command);
+    options->sizes.addTo(*command);
+    command
+        ->add_option("--frames", options->frames,
+                     "frames of the camera path: 0,15 or 0-59 (default: four, a quarter of the path apart)")
+        ->delimiter(',');
+    options->fidelity.addTo(*command);
+    options->format.addTo(*command);
+    command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
+        ->check(CLI::Range(1, 256));
+    command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace gnomon

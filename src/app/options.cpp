@@ -1,0 +1,301 @@
+#include "app/options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+constexpr int kLargestSide = 8192;
+
+/// The value of an enumeration whose words are @p names in order.
+template <class Enum>
+Enum wordOf(const std::string& flag, const std::string& word, int count) {
+    std::vector<std::string> known;
+    for (int i = 0; i < count; ++i) {
+        if (name(Enum(i)) == word) return Enum(i);
+        known.push_back(name(Enum(i)));
+    }
+    throw UsageError(fmt::format("{}: no such value '{}' (known: {})", flag, word, fmt::join(known, ", ")));
+}
+
+template <class Enum>
+std::vector<Enum> wordsOf(const std::string& flag, const std::vector<std::string>& words, int count) {
+    std::vector<Enum> values;
+    for (const std::string& word : words) {
+        const Enum value = wordOf<Enum>(flag, word, count);
+        if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
+    }
+    return values;
+}
+
+int wholeNumber(const std::string& flag, const std::string& word) {
+    int value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc() || end != word.data() + word.size())
+        throw UsageError(fmt::format("{}: '{}' is not a whole number", flag, word));
+    return value;
+}
+
+/// "x,y,z" with @p least to @p most numbers.
+std::vector<float> numbers(const std::string& flag, const std::string& text, std::size_t least,
+                           std::size_t most) {
+    std::vector<float> values;
+    std::size_t at = 0;
+    while (at <= text.size()) {
+        const std::size_t comma = std::min(text.find(',', at), text.size());
+        const std::string word = text.substr(at, comma - at);
+        char* end = nullptr;
+        const float value = std::strtof(word.c_str(), &end);
+        if (word.empty() || *end != 0 || !std::isfinite(value))
+            throw UsageError(fmt::format("{}: '{}' is not a number", flag, word));
+        values.push_back(value);
+        at = comma + 1;
+    }
+    if (values.size() < least || values.size() > most)
+        throw UsageError(fmt::format("{}: {} numbers in '{}', {} wanted", flag, values.size(), text, least));
+    return values;
+}
+
+std::optional<glm::vec3> point(const std::string& flag, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    const auto v = numbers(flag, text, 3, 3);
+    return glm::vec3(v[0], v[1], v[2]);
+}
+
+int divisorOf(const std::string& word) {
+    if (word == "1") return 1;
+    if (word == "1/2" || word == "0.5") return 2;
+    if (word == "1/4" || word == "0.25") return 4;
+    throw UsageError(fmt::format("--mask-scale: no such value '{}' (known: 1, 1/2, 1/4)", word));
+}
+
+/// A caller's values, or the one that is there.
+template <class T>
+std::vector<T> orElse(std::vector<T> values, const T& other) {
+    return values.empty() ? std::vector<T>{other} : values;
+}
+
+Axes defaultsOf(Store store) {
+    Axes axes{.store = store, .levels = 0};
+    if (store == Store::Alpha || store == Store::Screen) {
+        axes.arithmetic = Arithmetic::Double;
+        axes.count = Count::ZpassCap;
+    }
+    return axes;
+}
+
+}  // namespace
+
+std::filesystem::path dataFolder(const std::string& name) {
+    std::error_code none;
+    for (auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
+         folder.has_relative_path(); folder = folder.parent_path())
+        if (std::filesystem::is_directory(folder / name / "", none) &&
+            std::filesystem::exists(folder / "profiles/ideal.toml", none))
+            return folder / name;
+    throw UsageError(fmt::format("no folder {}/ beside or above the program", name));
+}
+
+void FormatOption::addTo(CLI::App& app) {
+    app.add_option("--format", word, "text, json or csv")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"text", "json", "csv"}));
+}
+
+Format FormatOption::value() const {
+    return word == "json" ? Format::Json : word == "csv" ? Format::Csv : Format::Text;
+}
+
+void ProfileOption::addTo(CLI::App& app, const std::string& help) {
+    app.add_option("--profile", ids, help)->delimiter(',')->type_name("ID");
+}
+
+std::vector<Profile> ProfileOption::load(const std::vector<std::string>& fallback) const {
+    const auto folder = dataFolder("profiles");
+    const auto known = profileIds(folder);
+    std::vector<Profile> profiles;
+    for (const std::string& id : !ids.empty() ? ids : fallback.empty() ? known : fallback) {
+        const bool isFile = id.ends_with(".toml");
+        if (!isFile && std::find(known.begin(), known.end(), id) == known.end())
+            throw UsageError(
+                fmt::format("--profile: no such chip '{}' (known: {})", id, fmt::join(known, ", ")));
+        Profile profile = loadProfile(isFile ? std::filesystem::path(id) : folder / (id + ".toml"));
+        const bool isKnown = std::any_of(profiles.begin(), profiles.end(),
+                                         [&](const Profile& p) { return p.id == profile.id; });
+        if (!isKnown) profiles.push_back(std::move(profile));
+    }
+    // The ideal chip first: the others are read against it.
+    if (ids.empty())
+        std::stable_partition(profiles.begin(), profiles.end(),
+                              [](const Profile& p) { return p.id == "ideal"; });
+    return profiles;
+}
+
+void SceneOption::addTo(CLI::App& app, const std::string& help) {
+    app.add_option("scene,--scene", ids, help)->delimiter(',')->type_name("ID|FILE");
+    const std::string group = "Light and camera (y up; default: from the file, else around the mesh)";
+    app.add_option("--light", light, "x,y,z of a point light, or x,y,z,0 towards one at infinity")
+        ->group(group);
+    app.add_option("--eye", eye, "x,y,z")->group(group);
+    app.add_option("--target", target, "x,y,z that the eye looks at")->group(group);
+    app.add_option("--fov", fov, "vertical field of view, degrees")->group(group);
+    app.add_option("--near", near, "distance of the near plane")->group(group);
+    app.add_option("--ground", ground, "add a floor below a mesh: yes or no (default: yes, but no for glTF)")
+        ->check(CLI::IsMember({"yes", "no"}))
+        ->group(group);
+}
+
+std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) const {
+    SceneOverrides overrides;
+    if (!light.empty()) {
+        const auto v = numbers("--light", light, 3, 4);
+        overrides.light = glm::vec4(v[0], v[1], v[2], v.size() == 4 ? v[3] : 1);
+    }
+    overrides.eye = point("--eye", eye);
+    overrides.target = point("--target", target);
+    if (fov) overrides.fovDegrees = float(*fov);
+    if (near) overrides.nearPlane = float(*near);
+    if (!ground.empty()) overrides.ground = ground == "yes";
+
+    const auto folder = dataFolder("scenes");
+    std::vector<Scene> scenes;
+    for (const std::string& id : !ids.empty() ? ids : fallback.empty() ? sceneIds(folder) : fallback) {
+        const bool isKnown =
+            std::any_of(scenes.begin(), scenes.end(), [&](const Scene& s) { return s.id == id; });
+        if (!isKnown) scenes.push_back(loadScene(findScene(id, folder), overrides));
+    }
+    return scenes;
+}
+
+void MethodOption::addTo(CLI::App& app) {
+    app.add_option("--method", ids, "named methods (gnomon methods lists them)")
+        ->delimiter(',')
+        ->type_name("ID");
+    const std::string group = "Axes of a method (each a comma list; the product is taken)";
+    const auto axis = [&](const std::string& flag, std::vector<std::string>& words, const std::string& help) {
+        app.add_option(flag, words, help)->delimiter(',')->group(group);
+    };
+    axis("--store", stores, "none, stencil, alpha, screen");
+    axis("--arithmetic", arithmetics, "count, double, halve");
+    app.add_option("--levels", levels, "nesting depth that double resolves, 1 to 8 (default: 2)")
+        ->delimiter(',')
+        ->group(group);
+    axis("--count", counts, "zpass, zpass-cap");
+    axis("--silhouette", silhouettes, "winding, per-triangle");
+    axis("--mask-scale", maskScales, "1, 1/2, 1/4");
+    axis("--apply", applies, "blend, texture");
+    axis("--shade", shades, "black, ambient, attenuated (default)");
+}
+
+bool MethodOption::isEmpty() const {
+    return ids.empty() && stores.empty() && arithmetics.empty() && counts.empty() && silhouettes.empty() &&
+           maskScales.empty() && applies.empty() && levels.empty();
+}
+
+std::vector<Shade> MethodOption::shadeList() const {
+    return orElse(wordsOf<Shade>("--shade", shades, 3), Shade::Attenuated);
+}
+
+std::vector<Axes> MethodOption::axes(std::string& dropped) const {
+    std::vector<Axes> bases;
+    for (const std::string& id : ids) {
+        const NamedMethod* method = findMethod(id);
+        std::vector<std::string> known;
+        for (const NamedMethod& m : namedMethods()) known.push_back(m.id);
+        if (!method)
+            throw UsageError(
+                fmt::format("--method: no such method '{}' (known: {})", id, fmt::join(known, ", ")));
+        bases.push_back(method->axes);
+    }
+    const auto storeList = wordsOf<Store>("--store", stores, 4);
+    if (bases.empty())
+        for (const Store store : storeList) bases.push_back(defaultsOf(store));
+    if (bases.empty())
+        for (const NamedMethod& m : namedMethods()) bases.push_back(m.axes);
+
+    const auto arithmeticList = wordsOf<Arithmetic>("--arithmetic", arithmetics, 3);
+    const auto countList = wordsOf<Count>("--count", counts, 2);
+    const auto silhouetteList = wordsOf<Silhouette>("--silhouette", silhouettes, 2);
+    const auto applyList = wordsOf<Apply>("--apply", applies, 2);
+    std::vector<int> divisors;
+    for (const std::string& word : maskScales) divisors.push_back(divisorOf(word));
+    for (const int level : levels)
+        if (level < 1 || level > 8) throw UsageError(fmt::format("--levels: {} is not within 1 to 8", level));
+
+    std::vector<Axes> all;
+    int contradictions = 0;
+    std::string why;
+    const auto add = [&](Axes axes, int level) {
+        axes.levels = axes.arithmetic == Arithmetic::Double ? level : 0;
+        if (axes.store == Store::None) axes = Axes{.store = Store::None, .levels = 0, .shade = axes.shade};
+        if (const auto reason = contradiction(axes)) {
+            ++contradictions;
+            if (why.empty()) why = *reason;
+        } else if (std::find(all.begin(), all.end(), axes) == all.end()) {
+            all.push_back(axes);
+        }
+    };
+    for (const Axes& base : bases)
+        for (const Store store : orElse(ids.empty() ? std::vector<Store>{} : storeList, base.store))
+            for (const Arithmetic arithmetic : orElse(arithmeticList, base.arithmetic))
+                for (const int level : orElse(levels, base.levels ? base.levels : 2))
+                    for (const Count count : orElse(countList, base.count))
+                        for (const Silhouette silhouette : orElse(silhouetteList, base.silhouette))
+                            for (const int divisor : orElse(divisors, base.maskDivisor))
+                                for (const Apply apply : orElse(applyList, base.apply))
+                                    for (const Shade shade : shadeList())
+                                        add({store, arithmetic, 0, count, silhouette, divisor, apply, shade},
+                                            level);
+    if (all.empty()) throw UsageError("no method is left: " + why);
+    if (contradictions)
+        dropped = fmt::format("{} combinations left out that contradict themselves, such as: {}",
+                              contradictions, why);
+    return all;
+}
+
+void SizeOption::addTo(CLI::App& app) {
+    app.add_option("--size", words, "image size in pixels (default: 320x240)")
+        ->delimiter(',')
+        ->type_name("WxH");
+}
+
+std::vector<Size> SizeOption::value() const {
+    std::vector<Size> sizes;
+    for (const std::string& word : words) {
+        const std::size_t x = word.find('x');
+        if (x == std::string::npos) throw UsageError(fmt::format("--size: '{}' is not WxH", word));
+        const Size size{wholeNumber("--size", word.substr(0, x)), wholeNumber("--size", word.substr(x + 1))};
+        for (const int side : {size.width, size.height})
+            if (side < 1 || side > kLargestSide)
+                throw UsageError(
+                    fmt::format("--size: {} in '{}' is not within 1 to {} pixels", side, word, kLargestSide));
+        sizes.push_back(size);
+    }
+    return sizes.empty() ? std::vector<Size>{{}} : sizes;
+}
+
+std::vector<int> parseFrames(const std::vector<std::string>& words) {
+    std::vector<int> frames;
+    for (const std::string& word : words) {
+        const std::size_t dash = word.find('-', 1);
+        const int first = wholeNumber("--frames", word.substr(0, dash));
+        const int last = dash == std::string::npos ? first : wholeNumber("--frames", word.substr(dash + 1));
+        if (first < 0 || last < first || last > 99'999)
+            throw UsageError(fmt::format("--frames: '{}' is no range of frames", word));
+        for (int f = first; f <= last; ++f) frames.push_back(f);
+    }
+    return frames;
+}
+
+void FidelityOption::addTo(CLI::App& app) {
+    app.add_option("--fidelity", word, "gl: the host's blending in the chip's buffer formats")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"gl"}));
+}
+
+}  // namespace gnomon

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "matrix/run.h"
+#include "method/method.h"
+#include "profile/profile.h"
+#include "report/listings.h"
+#include "scene/load.h"
+
+namespace gnomon {
+
+/// A bad argument; what() is one line.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Where profiles/ or scenes/ lies: beside the program or in a folder above it.
+/// @throws UsageError if there is none
+std::filesystem::path dataFolder(const std::string& name);
+
+/// --format
+struct FormatOption {
+    std::string word = "text";
+    void addTo(CLI::App& app);
+    Format value() const;
+};
+
+/// --profile, each a comma list; file names are taken as well as ids.
+struct ProfileOption {
+    std::vector<std::string> ids{};
+    void addTo(CLI::App& app, const std::string& help);
+    /// @p fallback: the ids when none is given; empty: all
+    std::vector<Profile> load(const std::vector<std::string>& fallback = {}) const;
+};
+
+/// --scene, and where light and camera stand.
+struct SceneOption {
+    std::vector<std::string> ids{};
+    std::string light{}, eye{}, target{}, ground{};
+    std::optional<double> fov{}, near{};
+    void addTo(CLI::App& app, const std::string& help);
+    /// @p fallback: the ids when none is given; empty: all
+    std::vector<Scene> load(const std::vector<std::string>& fallback = {}) const;
+};
+
+/// --method and the axes.
+struct MethodOption {
+    std::vector<std::string> ids{}, stores{}, arithmetics{}, counts{}, silhouettes{}, maskScales{}, applies{},
+        shades{};
+    std::vector<int> levels{};
+    void addTo(CLI::App& app);
+    bool isEmpty() const;  ///< no method and no axis but the shade
+    /// The product of what is listed; axes not named keep the defaults of their method, or of the table of
+    /// named methods. Combinations that contradict themselves are left out; @p dropped says how many and why.
+    /// @throws UsageError for an unknown word, or if nothing is left
+    std::vector<Axes> axes(std::string& dropped) const;
+    std::vector<Shade> shadeList() const;
+};
+
+/// --size
+struct SizeOption {
+    std::vector<std::string> words{};
+    void addTo(CLI::App& app);
+    std::vector<Size> value() const;
+};
+
+/// "0,15" or "0-59"; each a comma list.
+std::vector<int> parseFrames(const std::vector<std::string>& words);
+
+/// --fidelity: only "gl" so far.
+struct FidelityOption {
+    std::string word = "gl";
+    void addTo(CLI::App& app);
+};
+
+}  // namespace gnomon

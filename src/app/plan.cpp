@@ -1,0 +1,69 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/path.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    ProfileOption profiles{};
+    SceneOption scenes{};
+    MethodOption methods{};
+    SizeOption sizes{};
+    FormatOption format{};
+    int frame = 0;
+};
+
+int run(const Options& options) {
+    const Format format = options.format.value();
+    const Profile profile = options.profiles.load({"ideal"}).front();
+    const Size size = options.sizes.value().front();
+    Lab lab(options.scenes.load({"roettger"}).front());
+    if (options.frame < 0 || options.frame >= int(lab.scene().frames.size()))
+        throw UsageError(
+            fmt::format("--frame: {} has frames 0 to {}", lab.scene().id, lab.scene().frames.size() - 1));
+
+    std::vector<Axes> methods;
+    if (options.methods.isEmpty()) {
+        std::string words;
+        for (const Shade shade : options.methods.shadeList())
+            if (const auto axes =
+                    choosePath(lab, profile, shade, size.width, size.height, options.frame, words))
+                methods.push_back(*axes);
+        if (format == Format::Text) fmt::print("{}\n", words);
+    } else {
+        std::string dropped;
+        methods = options.methods.axes(dropped);
+        if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
+    }
+    for (const Axes& axes : methods) {
+        const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
+        if (format == Format::Text)
+            fmt::print("{} ({}) on {}, {} at {}x{}, frame {}\n\n", methodId(axes), name(axes.shade),
+                       profile.id, lab.scene().id, size.width, size.height, options.frame);
+        fmt::print("{}{}", showPlan(plan, missing(profile, plan), format),
+                   format == Format::Text ? "\n" : "");
+    }
+    return 0;
+}
+
+}  // namespace
+
+void addPlan(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "plan", "The passes of one frame in OpenGL's terms, and what the chip lacks for them");
+    options->scenes.addTo(*command, "scene: id, scene file, mesh file (default: roettger)");
+    options->profiles.addTo(*command, "chip (default: ideal)");
+    options->methods.addTo(*command);
+    options->sizes.addTo(*command);
+    command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
+    options->format.addTo(*command);
+    command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace gnomon

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/path.h"
+#include "report/matrix_report.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    ProfileOption profiles{};
+    SceneOption scenes{};
+    MethodOption methods{};
+    SizeOption sizes{};
+    FidelityOption fidelity{};
+    FormatOption format{};
+    int frame = 0;
+    std::string image{}, mask{}, truth{}, steps{};
+};
+
+/// Writes the buffer that counts after each pass: colour, and alpha or stencil where the mask stands there.
+std::function<void(Surface&, std::size_t)> stepWriter(const std::filesystem::path& folder, const Plan& plan) {
+    std::filesystem::create_directories(folder);
+    return [folder, plan](Surface& surface, std::size_t pass) {
+        const auto file = [&](const char* buffer) {
+            return folder / fmt::format("{:03}-{}.png", pass + 1, buffer);
+        };
+        writeImage(file("colour"), readColour(surface));
+        if (plan.maskPlace == MaskPlace::Stencil) {
+            // Counts are small numbers: 0 black, 1 to 7 in steps of 32, more white.
+            Image stencil = readStencil(surface);
+            for (std::uint8_t& value : stencil.data) value = std::uint8_t(std::min(255, value * 32));
+            writeImage(file("stencil"), stencil);
+        }
+        if (plan.maskPlace == MaskPlace::Alpha) {
+            const Image colour = readColour(surface, true);
+            Image alpha{colour.width, colour.height, 1, {}};
+            for (std::size_t i = 3; i < colour.data.size(); i += 4) alpha.data.push_back(colour.data[i]);
+            writeImage(file("alpha"), alpha);
+        }
+    };
+}
+
+std::string summary(const Cell& cell) {
+    std::string text = fmt::format("{}: {}\n", cell.id(), name(cell.verdict));
+    if (cell.verdict == Verdict::Failed) return text + "  " + cell.error + "\n";
+    for (const Missing& m : cell.missing) text += fmt::format("  lacks {} [{}]\n", m.what, m.source);
+    if (cell.verdict == Verdict::Refused) return text;
+    text += fmt::format(
+        "  wrong pixels: {} at the boundary of shadows, {} away from it; tied: {} by truth, {} by count; of "
+        "{}\n",
+        cell.wrongEdge, cell.wrongInterior, cell.tiedTruth, cell.tiedCount, cell.pixels);
+    for (const auto& [cause, pixels] : cell.causes) text += fmt::format("  {}: {}\n", cause, pixels);
+    text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
+                        cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
+    return text;
+}
+
+int run(const Options& options) {
+    const Format format = options.format.value();
+    const Profile profile = options.profiles.load({"ideal"}).front();
+    const Size size = options.sizes.value().front();
+    Lab lab(options.scenes.load({"roettger"}).front());
+    const Scene& scene = lab.scene();
+    if (options.frame < 0 || options.frame >= int(scene.frames.size()))
+        throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+    for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
+
+    std::optional<Axes> axes;
+    std::string words;
+    if (options.methods.isEmpty()) {
+        axes = choosePath(lab, profile, options.methods.shadeList().front(), size.width, size.height,
+                          options.frame, words);
+        if (format == Format::Text) fmt::print("{}", words);
+    } else {
+        const auto methods = options.methods.axes(words);
+        if (methods.size() != 1)
+            throw UsageError(fmt::format("render draws one method; these are {}", methods.size()));
+        axes = methods.front();
+    }
+    if (!axes) return 1;
+
+    std::function<void(Surface&, std::size_t)> steps;
+    const Plan plan = lab.plan(profile, *axes, size.width, size.height, options.frame);
+    if (!options.steps.empty() && missing(profile, plan).empty()) steps = stepWriter(options.steps, plan);
+    Pictures pictures;
+    Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
+    cell.chosen = options.methods.isEmpty();
+    fmt::print("{}", format == Format::Json  ? matrixJson({cell})
+                     : format == Format::Csv ? matrixCsv({cell})
+                                             : summary(cell));
+    if (cell.verdict == Verdict::Refused) return 1;
+    if (cell.verdict == Verdict::Failed) return 3;
+    if (!options.image.empty()) writeImage(options.image, pictures.image);
+    if (!options.mask.empty()) writeImage(options.mask, pictures.mask);
+    if (!options.truth.empty()) writeImage(options.truth, pictures.truth);
+    return 0;
+}
+
+}  // namespace
+
+void addRender(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("render",
+                                           "One image, its mask, and the buffer after every pass. Without a "
+                                           "method: the first of stencil, alpha,\n"
+                                           "screen, and screen with texture that the chip can run.");
+    options->scenes.addTo(*command, "scene: id, scene file, mesh file (default: roettger)");
+    options->profiles.addTo(*command, "chip (default: ideal)");
+    options->methods.addTo(*command);
+    options->sizes.addTo(*command);
+    command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
+    command->add_option("-o,--output", options->image, "write the image here")->type_name("FILE.png");
+    command
+        ->add_option("--mask", options->mask, "write the shadows that it shows: white lit, black in shadow")
+        ->type_name("FILE.png");
+    command->add_option("--truth", options->truth, "write the exact shadows in the same way")
+        ->type_name("FILE.png");
+    command->add_option("--steps", options->steps, "write the buffers after every pass")->type_name("DIR");
+    options->fidelity.addTo(*command);
+    options->format.addTo(*command);
+    command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace gnomon
