@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/options.h"
@@ -39,6 +40,10 @@ int main(int argc, char** argv) {
     app.footer("exit status: 0 as expected, 1 a result differs, 2 bad arguments or files, 3 our own fault");
     try {
         addCommands(app, status);
+        // CLI11 would only say that a command is missing.
+        const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };
+        if (argc > 1 && argv[1][0] != '-' && std::as_const(app).get_subcommands(isNamed).empty())
+            throw gnomon::UsageError(fmt::format("no such command '{}' (gnomon --help lists them)", argv[1]));
         app.parse(argc, argv);
     } catch (const CLI::Success& done) {
         return app.exit(done);

@@ -71,7 +71,7 @@ void addMatrix(CLI::App& app, int& status) {
     options->sizes.addTo(*command);
     command
         ->add_option("--frames", options->frames,
-                     "frames of the camera path: 0,15 or 0-59 (default: four, a quarter of the path apart)")
+                     "frames of the camera path: 0,15 or 0-59 (default: twelve, a twelfth of the path apart)")
         ->delimiter(',');
     options->fidelity.addTo(*command);
     options->format.addTo(*command);

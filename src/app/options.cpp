@@ -93,11 +93,15 @@ Axes defaultsOf(Store store) {
 
 std::filesystem::path dataFolder(const std::string& name) {
     std::error_code none;
+    const auto isRoot = [&](const std::filesystem::path& folder) {
+        return std::filesystem::exists(folder / "profiles/ideal.toml", none) &&
+               std::filesystem::is_directory(folder / "scenes", none);
+    };
     for (auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
          folder.has_relative_path(); folder = folder.parent_path())
-        if (std::filesystem::is_directory(folder / name / "", none) &&
-            std::filesystem::exists(folder / "profiles/ideal.toml", none))
-            return folder / name;
+        if (isRoot(folder)) return folder / name;
+    // Built outside of the repository.
+    if (isRoot(GNOMON_SOURCE)) return std::filesystem::path(GNOMON_SOURCE) / name;
     throw UsageError(fmt::format("no folder {}/ beside or above the program", name));
 }
 

@@ -20,6 +20,15 @@ struct UsageError : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// The one value of a flag that other commands take several of.
+/// @throws UsageError if there are more
+template <class T>
+T theOnly(const std::string& flag, std::vector<T> values) {
+    if (values.size() != 1)
+        throw UsageError(flag + ": " + std::to_string(values.size()) + " given, but this command takes one");
+    return std::move(values.front());
+}
+
 /// Where profiles/ or scenes/ lies: beside the program or in a folder above it.
 /// @throws UsageError if there is none
 std::filesystem::path dataFolder(const std::string& name);

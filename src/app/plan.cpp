@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <utility>
 
 #include "app/commands.h"
 #include "app/options.h"
@@ -20,9 +21,9 @@ struct Options {
 
 int run(const Options& options) {
     const Format format = options.format.value();
-    const Profile profile = options.profiles.load({"ideal"}).front();
-    const Size size = options.sizes.value().front();
-    Lab lab(options.scenes.load({"roettger"}).front());
+    const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
+    const Size size = theOnly("--size", options.sizes.value());
+    Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     if (options.frame < 0 || options.frame >= int(lab.scene().frames.size()))
         throw UsageError(
             fmt::format("--frame: {} has frames 0 to {}", lab.scene().id, lab.scene().frames.size() - 1));
@@ -40,14 +41,14 @@ int run(const Options& options) {
         methods = options.methods.axes(dropped);
         if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
     }
+    std::string separator = format == Format::Json ? "[" : "";
+    std::vector<PlanSheet> sheets;
     for (const Axes& axes : methods) {
         const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
-        if (format == Format::Text)
-            fmt::print("{} ({}) on {}, {} at {}x{}, frame {}\n\n", methodId(axes), name(axes.shade),
-                       profile.id, lab.scene().id, size.width, size.height, options.frame);
-        fmt::print("{}{}", showPlan(plan, missing(profile, plan), format),
-                   format == Format::Text ? "\n" : "");
+        sheets.push_back({methodId(axes), name(axes.shade), profile.id, lab.scene().id, options.frame, plan,
+                          missing(profile, plan)});
     }
+    fmt::print("{}", showPlans(sheets, format));
     return 0;
 }
 

@@ -24,7 +24,9 @@ struct Options {
 
 /// Writes the buffer that counts after each pass: colour, and alpha or stencil where the mask stands there.
 std::function<void(Surface&, std::size_t)> stepWriter(const std::filesystem::path& folder, const Plan& plan) {
-    std::filesystem::create_directories(folder);
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    if (error) throw UsageError(fmt::format("--steps: {}: {}", folder.string(), error.message()));
     return [folder, plan](Surface& surface, std::size_t pass) {
         const auto file = [&](const char* buffer) {
             return folder / fmt::format("{:03}-{}.png", pass + 1, buffer);
@@ -60,11 +62,21 @@ std::string summary(const Cell& cell) {
     return text;
 }
 
+/// Writes @p image where the user wants it, if anywhere.
+void writeOutput(const std::string& file, const Image& image) {
+    if (file.empty()) return;
+    try {
+        writeImage(file, image);
+    } catch (const std::runtime_error& error) {
+        throw UsageError(error.what());  // the file is the user's choice
+    }
+}
+
 int run(const Options& options) {
     const Format format = options.format.value();
-    const Profile profile = options.profiles.load({"ideal"}).front();
-    const Size size = options.sizes.value().front();
-    Lab lab(options.scenes.load({"roettger"}).front());
+    const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
+    const Size size = theOnly("--size", options.sizes.value());
+    Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     const Scene& scene = lab.scene();
     if (options.frame < 0 || options.frame >= int(scene.frames.size()))
         throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
@@ -75,7 +87,8 @@ int run(const Options& options) {
     if (options.methods.isEmpty()) {
         axes = choosePath(lab, profile, options.methods.shadeList().front(), size.width, size.height,
                           options.frame, words);
-        if (format == Format::Text) fmt::print("{}", words);
+        if (format == Format::Text || !axes)
+            fmt::print(format == Format::Text ? stdout : stderr, "{}", words);
     } else {
         const auto methods = options.methods.axes(words);
         if (methods.size() != 1)
@@ -90,14 +103,16 @@ int run(const Options& options) {
     Pictures pictures;
     Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
     cell.chosen = options.methods.isEmpty();
+    if (cell.verdict != Verdict::Refused && cell.verdict != Verdict::Failed) {
+        writeOutput(options.image, pictures.image);
+        writeOutput(options.mask, pictures.mask);
+        writeOutput(options.truth, pictures.truth);
+    }
     fmt::print("{}", format == Format::Json  ? matrixJson({cell})
                      : format == Format::Csv ? matrixCsv({cell})
                                              : summary(cell));
     if (cell.verdict == Verdict::Refused) return 1;
     if (cell.verdict == Verdict::Failed) return 3;
-    if (!options.image.empty()) writeImage(options.image, pictures.image);
-    if (!options.mask.empty()) writeImage(options.mask, pictures.mask);
-    if (!options.truth.empty()) writeImage(options.truth, pictures.truth);
     return 0;
 }
 

@@ -126,12 +126,15 @@ class Judge {
     }
 
     void blendColour() const {
-        const auto any = [](const std::set<BlendFactor>& set) {
-            return std::any_of(set.begin(), set.end(),
-                               [](BlendFactor f) { return isConstantFactor(glEnum(f)); });
+        const auto isConstant = [](BlendFactor f) { return isConstantFactor(glEnum(f)); };
+        const auto any = [&](const std::set<BlendFactor>& set) {
+            return std::any_of(set.begin(), set.end(), isConstant);
         };
-        need(any(p.sourceFactors) || any(p.destinationFactors), "glBlendColor", "constant colour",
-             "source_factors");
+        const bool inPairs = std::any_of(
+            p.blendPairs.begin(), p.blendPairs.end(),
+            [&](const BlendPair& pair) { return isConstant(pair.first) || isConstant(pair.second); });
+        need(any(p.sourceFactors) || any(p.destinationFactors) || inPairs, "glBlendColor", "constant colour",
+             blendKey());
     }
 
     void colourMask(bool r, bool g, bool blue, bool a) const {
@@ -146,7 +149,7 @@ class Judge {
         const int right = x + width, top = y + height;
         const std::string argument = fmt::format("{}x{}", right, top);
         need(!p.maxWidth || right <= p.maxWidth, "glViewport", argument, "max_width");
-        need(!p.maxHeight || top <= p.maxHeight, "glViewport", argument, "max_width");
+        need(!p.maxHeight || top <= p.maxHeight, "glViewport", argument, "max_height");
         need(!p.frameBytes || gnomon::frameBytes(p, right, top) <= p.frameBytes, "glViewport", argument,
              "frame_bytes");
     }
@@ -296,7 +299,9 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
                                GLenum alphaDestination) {
         const bool same = source == alphaSource && destination == alphaDestination;
         judge->need(same || judge->p.separateAlphaFactors, "glBlendFuncSeparate",
-                    enumName(source) + ", " + enumName(alphaSource), "separate_alpha_factors");
+                    fmt::format("{}, {}, {}, {}", enumName(source), enumName(destination),
+                                enumName(alphaSource), enumName(alphaDestination)),
+                    "separate_alpha_factors");
         judge->blendPair("glBlendFuncSeparate", source, destination);
         state->source = source, state->destination = destination;
         state->alphaSource = alphaSource, state->alphaDestination = alphaDestination;

@@ -30,15 +30,15 @@ FrameSurfaces frameSurfaces(const Scene& scene, const Light& light, const View& 
         for (const glm::uvec3& t : object.mesh.triangles) {
             const glm::dvec3 a = object.mesh.positions[t.x], b = object.mesh.positions[t.y],
                              c = object.mesh.positions[t.z];
-            const glm::dvec3 centre = (a + b + c) / 3.0;
             glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
             if (glm::dot(normal, view.eye - a) < 0) normal = -normal;
-            const glm::dvec3 l =
-                glm::normalize(glm::dvec3(light.position) - double(light.position.w) * centre);
-            const glm::dvec3 diffuse = reflectance * glm::dvec3(light.colour) * (1.0 - scene.ambient) *
-                                       std::max(0.0, glm::dot(normal, l));
-            const glm::dvec3 ambient = reflectance * double(scene.ambient);
+            const glm::dvec3 corners[3] = {a, b, c};
             for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 toLight = glm::dvec3(light.position) - double(light.position.w) * corners[k];
+                const double cosine = std::max(0.0, glm::dot(normal, glm::normalize(toLight)));
+                const glm::dvec3 diffuse =
+                    reflectance * glm::dvec3(light.colour) * (1.0 - scene.ambient) * cosine;
+                const glm::dvec3 ambient = reflectance * double(scene.ambient);
                 out.positions.push_back(projected[t[k]]);
                 out.lit.push_back(rounded(ambient + diffuse));
                 out.diffuse.push_back(rounded(diffuse));

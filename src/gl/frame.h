@@ -17,7 +17,7 @@ using Rgba = glm::u8vec4;
 /// bit.
 struct FrameSurfaces {
     std::vector<glm::vec4> positions{};             ///< triangle list
-    std::vector<Rgba> lit{}, diffuse{}, ambient{};  ///< flat per triangle, for the side that the eye sees
+    std::vector<Rgba> lit{}, diffuse{}, ambient{};  ///< for the side that the eye sees
     glm::vec3 background{};
 };
 

@@ -157,8 +157,8 @@ class PassRunner {
         gl.DrawArrays(GL_QUADS, 0, 4);
     }
 
-    /// Copies the mask. Where the texture is larger than the mask, its last row and column are copied once
-    /// more beside it, so that bilinear filtering clamps at the mask's edge.
+    /// Copies the mask. Where the texture is larger than the mask, its last row, column and corner are copied
+    /// once more beside it, so that bilinear filtering clamps at the mask's edge.
     void copy(const Pass& pass) {
         const GLenum format = pass.texture == MaskTexture::Alpha       ? GL_ALPHA
                               : pass.texture == MaskTexture::Intensity ? GL_INTENSITY
@@ -183,6 +183,8 @@ class PassRunner {
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, 0, width - 1, 0, 1, height);
         if (height < m_plan.textureHeight)
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, height, 0, height - 1, width, 1);
+        if (width < m_plan.textureWidth && height < m_plan.textureHeight)
+            gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, height, width - 1, height - 1, 1, 1);
     }
 
     void draw(std::span<const glm::vec4> triangles) {

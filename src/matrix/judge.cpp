@@ -23,6 +23,8 @@ Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int mas
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
             const std::size_t i = std::size_t(y) * truth.width + x;
+            // Faces away: dark whatever the mask says, so a tie of the count alone decides nothing.
+            if (truth.tie[i] == Tie::Count && truth.facesAway[i]) continue;
             if (truth.tie[i] != Tie::None) {
                 ++(truth.tie[i] == Tie::Truth ? out.tiedTruth : out.tiedCount);
                 out.pixels[i] = PixelVerdict::Tied;

@@ -19,10 +19,10 @@ struct Judgement {
     int wrong() const { return edge + interior; }
 };
 
-/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it
-/// must equal Truth::blocked; only where the seen side faces away from the light and nothing blocks it (an
-/// open one-sided caster) is the mask without effect, as the lit pass adds nothing there, and the pixel is
-/// right whatever the mask says.
+/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it must equal
+/// Truth::blocked. Where the seen side faces away from the light, the lit pass adds nothing and the pixel is in shadow
+/// whatever the mask says; so there a pixel is right, and counts as no tie, if nothing blocks it (an open one-sided
+/// caster) or if its count is tied.
 ///
 /// @param maskShadow   per pixel: the mask calls it a shadow
 /// @param maskDivisor  a wrong pixel within one mask pixel of the true boundary is an edge pixel

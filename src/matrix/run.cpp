@@ -58,7 +58,7 @@ std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene) {
     const int all = int(scene.frames.size());
     std::vector<int> frames = request.frames;
     if (frames.empty())
-        for (int quarter = 0; quarter < 4; ++quarter) frames.push_back(quarter * all / 4);
+        for (int i = 0; i < 12; ++i) frames.push_back(i * all / 12);
     std::sort(frames.begin(), frames.end());
     frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
     std::erase_if(frames, [&](int f) { return f >= all; });

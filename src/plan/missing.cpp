@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <bit>
@@ -47,6 +48,12 @@ BlendFactor asAlphaFactor(BlendFactor f) {
     }
 }
 
+std::string listOf(const std::set<BlendFactor>& factors) {
+    std::vector<std::string> names;
+    for (const BlendFactor f : factors) names.push_back(name(f));
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// A draw whose fragments all have one grey source colour.
 bool constantGrey(const Pass& pass) {
     const bool constant = pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle;
@@ -59,10 +66,10 @@ bool partial(const ColourWrite& w) {
 }
 
 void needSurface(Wants& wants, const Profile& p, const Plan& plan) {
-    const bool fits =
-        (!p.maxWidth || plan.width <= p.maxWidth) && (!p.maxHeight || plan.height <= p.maxHeight);
+    const bool wide = p.maxWidth && plan.width > p.maxWidth;
+    const bool high = p.maxHeight && plan.height > p.maxHeight;
     wants.need(
-        fits, "max_width",
+        !wide && !high, wide ? "max_width" : "max_height",
         fmt::format("a frame of {}x{} ({}x{} at most)", plan.width, plan.height, p.maxWidth, p.maxHeight));
     const std::int64_t bytes = frameBytes(p, plan.width, plan.height);
     wants.need(!p.frameBytes || bytes <= p.frameBytes, "frame_bytes",
@@ -153,7 +160,8 @@ void needPass(Wants& wants, const Profile& p, const Pass& pass) {
             const bool sameMeaning = p.alphaSourceFactors.contains(asAlphaFactor(s)) &&
                                      p.alphaDestinationFactors.contains(asAlphaFactor(d));
             wants.need(listed || sameMeaning, "alpha_source_factors",
-                       fmt::format("alpha blend factors {} {}", name(s), name(d)));
+                       fmt::format("alpha blend factors {} {} (only {})", name(s), name(d),
+                                   listOf(p.alphaSourceFactors)));
         }
     }
 }
@@ -180,8 +188,11 @@ std::vector<Missing> missing(const Profile& profile, const Plan& plan) {
     }
     if (plan.smallestMaskBits > 0 && !profile.colourFormats.empty()) {
         const ColourFormat& f = profile.colourFormats.front();
-        const int bits =
-            plan.maskPlace == MaskPlace::Alpha ? profile.alphaBits : std::min({f.red, f.green, f.blue});
+        // A mask made in alpha stands there, or goes from there into a texture.
+        const bool inAlpha = plan.maskPlace == MaskPlace::Alpha ||
+                             std::any_of(plan.passes.begin(), plan.passes.end(),
+                                         [](const Pass& pass) { return pass.texture == MaskTexture::Alpha; });
+        const int bits = inAlpha ? profile.alphaBits : std::min({f.red, f.green, f.blue});
         wants.need(bits >= plan.smallestMaskBits, "colour_formats",
                    fmt::format("{} bits per channel of the mask ({} at most)", plan.smallestMaskBits, bits));
     }

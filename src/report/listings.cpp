@@ -54,6 +54,57 @@ std::string kindName(PassKind kind) {
 /// Volume passes beyond these are folded in the text: a level has thousands.
 constexpr std::size_t kShownVolumes = 8;
 
+std::string planText(const PlanSheet& sheet) {
+    const Plan& plan = sheet.plan;
+    std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
+    std::size_t volumes = 0;
+    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        if (pass.kind == PassKind::Volume && ++volumes > kShownVolumes) {
+            if (volumes == kShownVolumes + 1) rows.push_back({"...", "volume", "", ""});
+            continue;
+        }
+        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass)});
+    }
+    for (auto& row : rows)
+        if (row[0] == "...")
+            row[2] = fmt::format("{} more, front and back faces in turn", volumes - kShownVolumes);
+    std::string text = fmt::format("{} ({}) on {}: {} at {}x{}, frame {}\n\n", sheet.method, sheet.shade,
+                                   sheet.profile, sheet.scene, plan.width, plan.height, sheet.frame);
+    text += alignColumns(rows);
+    const PassCounts counts = countPasses(plan);
+    text += fmt::format("\n{} scene passes, {} volume passes, {} rectangles, {} copies\n", counts.scene,
+                        counts.volume, counts.rectangle, counts.copy);
+    for (const Missing& m : sheet.missing)
+        text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
+    return text;
+}
+
+Json planJson(const PlanSheet& sheet) {
+    const PassCounts counts = countPasses(sheet.plan);
+    Json passes = Json::array();
+    for (const Pass& pass : sheet.plan.passes)
+        passes.push_back(
+            {{"kind", kindName(pass.kind)}, {"label", pass.label}, {"state", describeState(pass)}});
+    Json lacks = Json::array();
+    for (const Missing& m : sheet.missing)
+        lacks.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
+    return Json{{"method", sheet.method},
+                {"shade", sheet.shade},
+                {"profile", sheet.profile},
+                {"scene", sheet.scene},
+                {"width", sheet.plan.width},
+                {"height", sheet.plan.height},
+                {"frame", sheet.frame},
+                {"passes", passes},
+                {"counts",
+                 {{"scene", counts.scene},
+                  {"volume", counts.volume},
+                  {"rectangle", counts.rectangle},
+                  {"copy", counts.copy}}},
+                {"missing", lacks}};
+}
+
 }  // namespace
 
 std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
@@ -80,11 +131,11 @@ std::string showProfile(const Profile& profile, Format format) {
         Json facts = Json::array();
         for (const auto& fact : profile.facts)
             facts.push_back({{"key", fact.key}, {"value", fact.value}, {"source", fact.source}});
-        return Json{{"profile", profile.id},
-                    {"title", profile.title},
-                    {"year", profile.year},
-                    {"facts", facts},
-                    {"sources", profile.sources}}
+        return Json::array({Json{{"profile", profile.id},
+                                 {"title", profile.title},
+                                 {"year", profile.year},
+                                 {"facts", facts},
+                                 {"sources", profile.sources}}})
                    .dump(2) +
                "\n";
     }
@@ -123,42 +174,24 @@ std::string listScenes(const std::vector<Scene>& scenes, Format format) {
     return listing(rows, format);
 }
 
-std::string showPlan(const Plan& plan, const std::vector<Missing>& missing, Format format) {
-    const PassCounts counts = countPasses(plan);
+std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {
     if (format == Format::Json) {
-        Json passes = Json::array();
-        for (const Pass& pass : plan.passes)
-            passes.push_back(
-                {{"kind", kindName(pass.kind)}, {"label", pass.label}, {"state", describeState(pass)}});
-        Json lacks = Json::array();
-        for (const Missing& m : missing)
-            lacks.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
-        return Json{{"passes", passes},
-                    {"counts",
-                     {{"scene", counts.scene},
-                      {"volume", counts.volume},
-                      {"rectangle", counts.rectangle},
-                      {"copy", counts.copy}}},
-                    {"missing", lacks}}
-                   .dump(2) +
-               "\n";
+        Json all = Json::array();
+        for (const PlanSheet& sheet : sheets) all.push_back(planJson(sheet));
+        return all.dump(2) + "\n";
     }
-    std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
-    std::size_t volumes = 0;
-    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const Pass& pass = plan.passes[i];
-        if (pass.kind == PassKind::Volume && ++volumes > kShownVolumes && format == Format::Text) continue;
-        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass)});
+    if (format == Format::Csv) {
+        std::string text =
+            csvLine({"method", "shade", "profile", "scene", "frame", "pass", "draws", "what", "state"});
+        for (const PlanSheet& s : sheets)
+            for (std::size_t i = 0; i < s.plan.passes.size(); ++i)
+                text += csvLine({s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame),
+                                 fmt::format("{}", i + 1), kindName(s.plan.passes[i].kind),
+                                 s.plan.passes[i].label, describeState(s.plan.passes[i])});
+        return text;
     }
-    if (format == Format::Csv) return listing(rows, format);
-    std::string text = alignColumns(rows);
-    if (volumes > kShownVolumes)
-        text += fmt::format("... and {} more volume passes, front and back faces in turn\n",
-                            volumes - kShownVolumes);
-    text += fmt::format("\n{} scene passes, {} volume passes, {} rectangles, {} copies\n", counts.scene,
-                        counts.volume, counts.rectangle, counts.copy);
-    for (const Missing& m : missing)
-        text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
+    std::string text;
+    for (const PlanSheet& sheet : sheets) text += planText(sheet) + "\n";
     return text;
 }
 

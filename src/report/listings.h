@@ -22,7 +22,15 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format);
 /// All scenes with their sizes, lights and frames.
 std::string listScenes(const std::vector<Scene>& scenes, Format format);
 
-/// The passes of one frame in OpenGL's terms, and what the chip lacks for them.
-std::string showPlan(const Plan& plan, const std::vector<Missing>& missing, Format format);
+/// The plan of one frame, with what it is a plan of.
+struct PlanSheet {
+    std::string method{}, shade{}, profile{}, scene{};
+    int frame = 0;
+    Plan plan{};
+    std::vector<Missing> missing{};
+};
+
+/// The passes of frames in OpenGL's terms, and what the chip lacks for them.
+std::string showPlans(const std::vector<PlanSheet>& sheets, Format format);
 
 }  // namespace gnomon

@@ -33,7 +33,7 @@ struct Entry {
     bool chosen = false;
     int wrong = 0;
     PassCounts passes{};
-    std::vector<std::string> missing{};
+    std::vector<Missing> missing{};
     std::map<std::string, int> causes{};
     std::string error{};
 };
@@ -45,38 +45,45 @@ Entry merge(const std::vector<const Cell*>& cells) {
         entry.chosen = entry.chosen || cell->chosen;
         entry.wrong += cell->wrongEdge + cell->wrongInterior;
         entry.passes = cell->passes;
-        for (const Missing& m : cell->missing)
-            addOnce(entry.missing, fmt::format("{} [{}]", m.what, m.source));
+        for (const Missing& m : cell->missing) addOnce(entry.missing, m);
         for (const auto& [cause, pixels] : cell->causes) entry.causes[cause] += pixels;
         if (!cell->error.empty()) entry.error = cell->error;
     }
     return entry;
 }
 
-/// Footnotes, lettered in the order in which they are first used.
+/// Footnotes, lettered in the order in which they are first used; each with the chips that it holds for, by
+/// source.
 class Notes {
   public:
-    std::string letters(const std::vector<std::string>& notes) {
-        std::string out;
-        for (const std::string& note : notes) {
-            addOnce(m_notes, note);
-            const auto at = std::size_t(std::find(m_notes.begin(), m_notes.end(), note) - m_notes.begin());
-            out += fmt::format("{}{}", out.empty() ? "" : ",", letterOf(at));
-        }
-        return out;
+    std::string letter(const std::string& note, const std::string& source, const std::string& profile) {
+        const auto found =
+            std::find_if(m_notes.begin(), m_notes.end(), [&](const Note& n) { return n.text == note; });
+        const auto at = std::size_t(found - m_notes.begin());
+        if (found == m_notes.end()) m_notes.push_back({note, {}});
+        addOnce(m_notes[at].chips[source], profile);
+        return letterOf(at);
     }
     std::string text() const {
         std::string out;
-        for (std::size_t i = 0; i < m_notes.size(); ++i)
-            out += fmt::format("  {:<3}{}\n", letterOf(i), wrapText(m_notes[i], 5));
+        for (std::size_t i = 0; i < m_notes.size(); ++i) {
+            out += fmt::format("  {:<3}{}\n", letterOf(i), wrapText(m_notes[i].text, 5));
+            for (const auto& [source, chips] : m_notes[i].chips)
+                out += fmt::format("       {}\n",
+                                   wrapText(fmt::format("{}: {}", fmt::join(chips, " "), source), 9));
+        }
         return out;
     }
 
   private:
-    std::vector<std::string> m_notes{};
+    struct Note {
+        std::string text{};
+        std::map<std::string, std::vector<std::string>> chips{};  ///< by source
+    };
+    std::vector<Note> m_notes{};
 };
 
-std::string cellText(const Entry& e, Notes& notes) {
+std::string cellText(const Entry& e, const std::string& profile, Notes& notes) {
     const std::string passes =
         fmt::format(" {}/{}{}", e.passes.scene, e.passes.rectangle, e.chosen ? "*" : "");
     switch (e.verdict) {
@@ -87,11 +94,13 @@ std::string cellText(const Entry& e, Notes& notes) {
         case Verdict::Wrong:
             return fmt::format("WRONG {}", e.wrong) + passes;
         case Verdict::Refused:
-            return fmt::format("- {}", notes.letters(e.missing));
+            break;
         case Verdict::Failed:
-            return fmt::format("FAILED {}", notes.letters({e.error}));
+            return fmt::format("FAILED {}", notes.letter(e.error, "failed", profile));
     }
-    return {};
+    std::vector<std::string> letters;
+    for (const Missing& m : e.missing) letters.push_back(notes.letter(m.what, m.source, profile));
+    return fmt::format("- {}", fmt::join(letters, ","));
 }
 
 std::string tableOf(const std::vector<const Cell*>& cells) {
@@ -118,7 +127,7 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
         std::map<std::string, std::vector<std::string>> causesHere;  // cause -> chips
         for (const std::string& profile : profiles) {
             const Entry entry = merge(entries[{method, profile}]);
-            rows.back().push_back(cellText(entry, notes));
+            rows.back().push_back(cellText(entry, profile, notes));
             for (const auto& [cause, pixels] : entry.causes)
                 causesHere[fmt::format("{}: {}", cause, pixels)].push_back(profile);
         }
@@ -129,7 +138,7 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
     std::string text = fmt::format("{}, {}x{}, frame{} {}\n\n", cells[0]->scene, cells[0]->width,
                                    cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "));
     text += alignColumns(rows);
-    if (!notes.text().empty()) text += "\nRefused for want of\n" + notes.text();
+    if (!notes.text().empty()) text += "\nNotes: refused for want of\n" + notes.text();
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
     for (const std::string& cause : causes) text += fmt::format("  {}\n", wrapText(cause, 5));
     return text;

@@ -1,12 +1,38 @@
 #include "scene/framing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "scene/primitives.h"
 
 namespace gnomon {
+namespace {
+
+using Triangle = std::array<glm::dvec3, 3>;
+
+double distanceToEdge(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 way = b - a;
+    const double t = std::clamp(glm::dot(point - a, way) / glm::dot(way, way), 0.0, 1.0);
+    return glm::distance(point, a + t * way);
+}
+
+/// Distance from @p point to the nearest point of the triangle: of its plane where that lies inside, else of
+/// an edge.
+double distanceTo(const glm::dvec3& point, const Triangle& t) {
+    const glm::dvec3 normal = glm::cross(t[1] - t[0], t[2] - t[0]);
+    bool inside = true;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 &a = t[k], &b = t[(k + 1) % 3];
+        inside = inside && glm::dot(glm::cross(normal, b - a), point - a) >= 0;
+        nearest = std::min(nearest, distanceToEdge(point, a, b));
+    }
+    return inside ? std::abs(glm::dot(normal, point - t[0])) / glm::length(normal) : nearest;
+}
+
+}  // namespace
 
 Bounds boundsOf(std::span<const Object> objects) {
     Bounds bounds{.least = glm::dvec3(std::numeric_limits<double>::infinity()),
@@ -48,9 +74,14 @@ Object groundBelow(const Bounds& bounds) {
     return ground;
 }
 
-float nearPlaneFor(const Bounds& bounds, const glm::vec3& eye, const glm::vec3& target) {
-    const double distance = glm::distance(glm::dvec3(eye), glm::dvec3(target));
-    return float(std::min(bounds.radius / 1000, distance / 20));
+float nearPlaneFor(std::span<const Object> objects, const Bounds& bounds, const glm::vec3& eye) {
+    double nearest = 4 * bounds.radius;
+    for (const Object& object : objects) {
+        const auto& p = object.mesh.positions;
+        for (const glm::uvec3& t : object.mesh.triangles)
+            nearest = std::min(nearest, distanceTo(eye, {p[t.x], p[t.y], p[t.z]}));
+    }
+    return float(std::max(nearest / 2, bounds.radius / 2000));
 }
 
 }  // namespace gnomon

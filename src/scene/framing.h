@@ -26,7 +26,8 @@ Light framingLight(const Bounds& bounds);
 /// A floor facing up, so little below the box that it seems to stand on it, yet not coplanar. Receives only.
 Object groundBelow(const Bounds& bounds);
 
-/// A near plane for an eye anywhere: radius/1000, but at most a twentieth of the distance to the target.
-float nearPlaneFor(const Bounds& bounds, const glm::vec3& eye, const glm::vec3& target);
+/// A near plane for an eye anywhere, as far out as it can be, for the sake of depth precision: half of the
+/// distance to the nearest surface, so that up to 90 degrees of view nothing is cut; at least radius/2000.
+float nearPlaneFor(std::span<const Object> objects, const Bounds& bounds, const glm::vec3& eye);
 
 }  // namespace gnomon

@@ -86,7 +86,7 @@ void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene
         if (overrides.eye) camera.eye = *overrides.eye;
         if (overrides.target) camera.target = *overrides.target;
         if (camera.eye == camera.target) throw SceneError("eye: the same point as the target");
-        camera.nearPlane = nearPlaneFor(bounds, camera.eye, camera.target);
+        camera.nearPlane = nearPlaneFor(scene.objects, bounds, camera.eye);
         scene.frames = {camera};
     }
     for (Camera& camera : scene.frames) {
@@ -106,9 +106,9 @@ Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrid
     }
     Scene scene = isToml ? loadSceneFile(file) : sceneOfMesh(file, overrides);
     const Bounds bounds = boundsOf(scene.objects);
-    applyOverrides(overrides, bounds, scene);
     const bool isGltf = file.extension() == ".gltf" || file.extension() == ".glb";
     if (overrides.ground.value_or(!isToml && !isGltf)) scene.objects.push_back(groundBelow(bounds));
+    applyOverrides(overrides, bounds, scene);
     if (scene.lights.size() > 1)
         scene.notes.push_back(fmt::format("{} lights in the file; the first is used", scene.lights.size()));
     return scene;

@@ -74,8 +74,9 @@ TEST_F(LoadScene, TakesCameraFromOverrides) {
     ASSERT_EQ(scene.frames.size(), 1u);
     EXPECT_EQ(scene.frames[0].eye, glm::vec3(11, 1, 9));
     EXPECT_EQ(scene.frames[0].target, glm::vec3(11, 1, 0));
-    EXPECT_GT(scene.frames[0].nearPlane, 0);
-    EXPECT_LT(scene.frames[0].nearPlane, 0.01f);
+    // Half way to the nearest surface: the floor, 1 and a little below the eye.
+    EXPECT_NEAR(scene.frames[0].nearPlane, 0.5, 0.01);
+    EXPECT_GT(scene.frames[0].nearPlane, 0.5);
 
     const Camera other = loadScene(m_mesh, {.fovDegrees = 90.f, .nearPlane = 0.5f}).frames[0];
     EXPECT_EQ(other.fovDegrees, 90);
