@@ -17,16 +17,18 @@ bool nearBoundary(const Truth& truth, int x, int y, int reach) {
 
 }  // namespace
 
-Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor) {
+Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor, bool clamps) {
     Judgement out;
     out.pixels.assign(truth.shadow.size(), PixelVerdict::Right);
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
             const std::size_t i = std::size_t(y) * truth.width + x;
+            const bool countTied =
+                truth.tie[i] == Tie::Count || (clamps && truth.tie[i] == Tie::CountIfClamped);
             // Faces away: dark whatever the mask says, so a tie of the count alone decides nothing.
-            if (truth.tie[i] == Tie::Count && truth.facesAway[i]) continue;
-            if (truth.tie[i] != Tie::None) {
-                ++(truth.tie[i] == Tie::Truth ? out.tiedTruth : out.tiedCount);
+            if (countTied && truth.facesAway[i]) continue;
+            if (countTied || truth.tie[i] == Tie::Truth) {
+                ++(countTied ? out.tiedCount : out.tiedTruth);
                 out.pixels[i] = PixelVerdict::Tied;
                 continue;
             }

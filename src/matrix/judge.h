@@ -19,14 +19,15 @@ struct Judgement {
     int wrong() const { return edge + interior; }
 };
 
-/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it must equal
-/// Truth::blocked. Where the seen side faces away from the light, the lit pass adds nothing and the pixel is in shadow
-/// whatever the mask says; so there a pixel is right, and counts as no tie, if nothing blocks it (an open one-sided
-/// caster) or if its count is tied.
+/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it
+/// must equal Truth::blocked. Where the seen side faces away from the light, the lit pass adds nothing and
+/// the pixel is in shadow whatever the mask says; so there a pixel is right, and counts as no tie, if nothing
+/// blocks it (an open one-sided caster) or if its count is tied.
 ///
 /// @param maskShadow   per pixel: the mask calls it a shadow
 /// @param maskDivisor  a wrong pixel within one mask pixel of the true boundary is an edge pixel
-Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor);
+/// @param clamps        the mask's arithmetic can lose counts, so that Tie::CountIfClamped excuses a pixel
+Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor, bool clamps);
 
 /// The shadows that the frame shows: white where the light arrives, black where the mask holds a shadow or
 /// the seen side faces away from the light. One channel.

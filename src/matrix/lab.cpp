@@ -56,14 +56,15 @@ struct Lab::Impl {
 
     Scene scene;
     std::map<Silhouette, std::vector<LitCaster>> lit{};
-    std::unique_ptr<Tracer> tracer{};
+    std::map<Silhouette, std::unique_ptr<Tracer>>
+        tracers{};  ///< count ties are about the sides that are drawn
     std::map<std::tuple<BufferFormat, int, int>, std::unique_ptr<Surface>> contexts{};
 
     // Of the frame that was asked for last.
     FrameKey key{};
     std::optional<FrameSurfaces> surfaces{};
     std::map<std::pair<Silhouette, Count>, FrameVolumes> volumes{};
-    std::map<int, Truth> truths{};  ///< by bits of depth
+    std::map<std::pair<int, Silhouette>, Truth> truths{};  ///< by bits of depth
     std::map<std::string, Cell> results{};
     std::map<BufferFormat, double> unshadowed{};
     std::optional<bool> eyeInside{};
@@ -112,10 +113,11 @@ struct Lab::Impl {
         return *surfaces;
     }
 
-    const Truth& truthOf(int depthBits) {
-        auto [at, isNew] = truths.try_emplace(depthBits);
+    const Truth& truthOf(int depthBits, Silhouette silhouette) {
+        auto [at, isNew] = truths.try_emplace({depthBits, silhouette});
         if (isNew) {
-            if (!tracer) tracer = std::make_unique<Tracer>(scene, light());
+            auto& tracer = tracers[silhouette];
+            if (!tracer) tracer = std::make_unique<Tracer>(scene, light(), silhouette);
             at->second = tracer->trace(view(), depthTies(depthBits));
         }
         return at->second;
@@ -150,8 +152,9 @@ struct Lab::Impl {
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         const Rendered rendered = render(surface, profile, plan, surfacesOf(), volumesOf(axes), each);
-        const Truth& truth = truthOf(format.depth);
-        const Judgement judgement = judge(truth, rendered.maskShadow, axes.maskDivisor);
+        const Truth& truth = truthOf(format.depth, axes.silhouette);
+        const Judgement judgement =
+            judge(truth, rendered.maskShadow, axes.maskDivisor, axes.arithmetic != Arithmetic::Count);
 
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))

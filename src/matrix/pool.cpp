@@ -49,6 +49,10 @@ constexpr char kErrorMark = '\x01';
         std::replace(what.begin(), what.end(), '\n', ' ');
         writeAll(pipe, kErrorMark + what + "\n");
         status = 3;
+    } catch (...) {
+        // Nothing may unwind beyond here: the frames below are the parent's work.
+        writeAll(pipe, std::string(1, kErrorMark) + "unknown exception\n");
+        status = 3;
     }
     _exit(status);
 }

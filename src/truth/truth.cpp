@@ -38,11 +38,11 @@ std::vector<LitTriangle> trianglesOf(const Scene& scene, const glm::vec4& light)
     return triangles;
 }
 
-std::vector<SideEdge> sidesOf(const Scene& scene, const glm::vec4& light) {
+std::vector<SideEdge> sidesOf(const Scene& scene, const glm::vec4& light, Silhouette silhouette) {
     std::vector<SideEdge> sides;
     for (const Caster& caster : casters(scene)) {
         const auto& positions = scene.objects[caster.object].mesh.positions;
-        for (const Side& side : litCaster(scene, caster, light, Silhouette::Winding).sides)
+        for (const Side& side : litCaster(scene, caster, light, silhouette).sides)
             sides.push_back({positions[side.from], positions[side.to], side.weight});
     }
     return sides;
@@ -79,10 +79,6 @@ double diagonal(const std::vector<Box>& boxes) {
     return boxes.empty() ? 0 : glm::length(all.high - all.low);
 }
 
-double determinant(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    return glm::dot(glm::cross(a, b), c);
-}
-
 }  // namespace
 
 DepthTies depthTies(int bits) {
@@ -91,10 +87,10 @@ DepthTies depthTies(int bits) {
 }
 
 struct Tracer::Impl {
-    Impl(const Scene& scene, const Light& l)
+    Impl(const Scene& scene, const Light& l, Silhouette silhouette)
         : light(l.position),
           triangles(trianglesOf(scene, l.position)),
-          sides(sidesOf(scene, l.position)),
+          sides(sidesOf(scene, l.position, silhouette)),
           // Reach: rays beside the pixel's own ray and points beside the visible point look for what they
           // would meet through one ray. 10^-4 of the scene holds 1/256 pixel; the sides' band of depth is
           // longer.
@@ -177,17 +173,20 @@ class Tracer::Frame {
                    changesWithRay(x, y, pixel.shadow);
         }
         pixel.facesAway = surface && surface->facesAway;
-        if (tied)
+        if (tied) {
             pixel.tie = Tie::Truth;
-        else if ((surface && countIsTied(*surface, *point, 0)) || (!quick.isSure && countIsTiedBeside(x, y)))
-            pixel.tie = Tie::Count;
+        } else {
+            if (surface) pixel.tie = countTie(*surface, *point, {});
+            if (!quick.isSure && pixel.tie != Tie::Count)
+                pixel.tie = std::max(pixel.tie, countTieBeside(x, y));
+        }
         return pixel;
     }
 
   private:
     static constexpr double kSubpixels = 256;  ///< of the rasteriser, per pixel and axis
     static constexpr double kLongestRise =
-        0x1p-12;  ///< of a side within 1/256 pixel; what is steeper misses all samples
+        0x1p-8;                                 ///< of a side within 1/256 pixel; steeper ones are too thin
     static constexpr double kFarBehind = 2000;  ///< in reaches: twice the scene's diagonal
 
     struct Quick {
@@ -423,18 +422,34 @@ class Tracer::Frame {
         });
     }
 
-    /// countIsTied() for the surfaces that are seen within 1/256 pixel. Where a side hangs from the edge of a
+    /// countTie() for the surfaces that are seen within 1/256 pixel. Where a side hangs from the edge of a
     /// surface, a rasteriser that rounds the edge there may compare both right at the edge, where their
     /// depths meet, although the pixel's own ray misses them.
-    bool countIsTiedBeside(double x, double y) {
-        return std::any_of(std::begin(kCorners), std::end(kCorners), [&](const glm::dvec2& corner) {
-            const EyeRay ray = rayAt(x + corner.x, y + corner.y);
+    Tie countTieBeside(double x, double y) {
+        std::vector<std::pair<Surface, RayPoint>> seen;
+        Beside beside{.centre = {x, y}, .reach = 2 * glm::length(kCorners[0])};
+        const auto look = [&](const glm::dvec2& offset) {
+            const EyeRay ray = rayAt(x + offset.x, y + offset.y);
             findHits(ray);
             const std::optional<Surface> surface = nearest(ray);
-            return surface &&
-                   countIsTied(*surface, RayPoint(ray, triangle(*surface)), 2 * glm::length(kCorners[0]));
-        });
+            if (surface) seen.emplace_back(*surface, RayPoint(ray, triangle(*surface)));
+            const double depth = surface ? windowDepth(m_view, seen.back().second.t()) : 1;
+            beside.farthest = std::max(beside.farthest, depth);
+        };
+        look({0, 0});
+        for (const glm::dvec2& corner : kCorners) look(corner);
+
+        Tie tie = Tie::None;
+        for (const auto& [surface, point] : seen) tie = std::max(tie, countTie(surface, point, beside));
+        return tie;
     }
+
+    /// The neighbourhood of a pixel's centre in which a rasteriser may see what stands there.
+    struct Beside {
+        glm::dvec2 centre{};  ///< window position
+        double reach = 0;     ///< pixels; 0: the centre's own ray alone
+        double farthest = 0;  ///< window depth of the farthest surface that is seen there
+    };
 
     /// How a plane's window depth rises, per pixel. Window depth is 1 - near/t, and 1/t is affine in the
     /// window.
@@ -445,8 +460,7 @@ class Tracer::Frame {
     }
 
     /// Whether the sides of volumes near the visible point may change what the mask holds there.
-    /// @param beside  pixels around the point within which a side may come into the band
-    bool countIsTied(const Surface& surface, const RayPoint& point, double beside) {
+    Tie countTie(const Surface& surface, const RayPoint& point, const Beside& beside) {
         const LitTriangle& own = triangle(surface);
         const glm::dvec3 corner(own.corners[0]);
         const glm::dvec2 gradient = depthGradient(
@@ -455,7 +469,7 @@ class Tracer::Frame {
         // The longest band around the point, cut off far behind it (where it is longer than the scene).
         const double depth = windowDepth(m_view, point.t());
         const double length = glm::length(point.ray().direction);
-        const double longest = m_ties.countBand + (beside > 0 ? kLongestRise : 0);
+        const double longest = m_ties.countBand + (beside.reach > 0 ? kLongestRise : 0);
         const double first = distanceAtDepth(m_view, std::max(0.0, depth - longest));
         const double last = std::min(distanceAtDepth(m_view, depth + longest),
                                      point.t() + kFarBehind * m_world.edges.reach() / length);
@@ -463,7 +477,7 @@ class Tracer::Frame {
         // A side crosses the band where its edge crosses the triangle between the band and the light: look
         // along rays to the light, close enough that one of them passes within reach of any such edge.
         m_near.clear();
-        if (m_world.sides.empty()) return false;
+        if (m_world.sides.empty()) return Tie::None;
         const double steps = std::ceil((last - first) * length / m_world.edges.reach());
         const int rays = std::max(1, static_cast<int>(steps));
         for (int i = 0; i < rays; ++i) {
@@ -483,42 +497,80 @@ class Tracer::Frame {
         bool any = false;
         int backs = 0;
         for (const std::uint32_t index : m_near) {
-            const Crossing c = crossSide(m_world.sides[index], point.ray());
-            if (c.weight == 0 || c.t < first || c.t > last) continue;
-            const double rise = std::min(kLongestRise, beside * glm::length(c.gradient - gradient));
-            const bool isNear = std::abs(windowDepth(m_view, c.t) - depth) <= m_ties.countBand + rise;
+            const SideEdge& side = m_world.sides[index];
+            const Crossing c = crossSide(side, point.ray());
+            const bool isInRange = c.t >= first && c.t <= last;
+            const double rise = std::min(kLongestRise, beside.reach * glm::length(c.gradient - gradient));
+            const bool isClose = isInRange && c.miss <= glm::length(kCorners[0]) &&
+                                 std::abs(windowDepth(m_view, c.t) - depth) <= m_ties.countBand + rise;
+            const bool isNear = isClose || (beside.reach > 0 && hangsBeside(side, beside));
             any = any || isNear;
             if (isNear)
-                backs -= std::min(c.weight, 0);
-            else if (c.t < point.t())
-                backs -= c.weight;
+                backs -= std::min(c.face, 0);
+            else if (isInRange && c.miss <= 0 && c.t < point.t())
+                backs -= c.face;
         }
-        return any && !isCrossedMoreThan(backs, RayPoint(point.ray(), first));
+        if (!any) return Tie::None;
+        return isCrossedMoreThan(backs, RayPoint(point.ray(), first)) ? Tie::CountIfClamped : Tie::Count;
     }
 
     /// Where an eye ray crosses the side of a volume.
     struct Crossing {
-        int weight =
-            0;  ///< the side's weight where the ray goes in, its negative where it comes out, 0 if it misses
+        int face = 0;             ///< the side's weight if it is a front, its negative if it is a back
+        double miss = kInfinity;  ///< pixels by which the ray misses it; 0 or less: it crosses
         double t = 0;
         glm::dvec2 gradient{};  ///< of the side's window depth
     };
+
+    /// Whether the edge from which the side hangs passes through the neighbourhood and is not hidden there.
+    bool hangsBeside(const SideEdge& side, const Beside& beside) const {
+        glm::dvec2 ends[2];
+        double depths[2];
+        for (int k = 0; k < 2; ++k) {
+            const glm::dvec3 p = glm::dvec3(k == 0 ? side.from : side.to) - m_view.eye;
+            const double t = glm::dot(p, m_view.forward);
+            if (t < m_view.nearPlane) return false;
+            ends[k] = {(glm::dot(p, m_view.right) / (t * m_view.tanHalfX) + 1) / 2 * m_view.width,
+                       (glm::dot(p, m_view.up) / (t * m_view.tanHalfY) + 1) / 2 * m_view.height};
+            depths[k] = windowDepth(m_view, t);
+        }
+        const glm::dvec2 way = ends[1] - ends[0];
+        const double squared = glm::dot(way, way);
+        const double u =
+            squared > 0 ? std::clamp(glm::dot(beside.centre - ends[0], way) / squared, 0.0, 1.0) : 0;
+        return glm::distance(beside.centre, ends[0] + u * way) <= beside.reach &&
+               depths[0] + u * (depths[1] - depths[0]) <= beside.farthest + m_ties.countBand;
+    }
 
     Crossing crossSide(const SideEdge& side, const EyeRay& ray) const {
         const glm::dvec3 l(m_world.light), from(side.from), to(side.to), d = ray.direction;
         const bool directional = m_world.light.w == 0;
         const glm::dvec3 f = from - ray.eye, g = to - ray.eye;
         const glm::dvec3 fAway = directional ? -l : from - l, gAway = directional ? -l : to - l;
-        const double edges[4] = {determinant(g, f, d), determinant(f, fAway, d),
-                                 directional ? 0 : determinant(fAway, gAway, d), determinant(gAway, g, d)};
-        const auto [least, most] = std::minmax_element(std::begin(edges), std::end(edges));
-        if ((*least < 0 && *most > 0) || (*least == 0 && *most == 0)) return {};
+        const glm::dvec3 borders[4] = {glm::cross(g, f), glm::cross(f, fAway),
+                                       directional ? glm::dvec3(0) : glm::cross(fAway, gAway),
+                                       glm::cross(gAway, g)};
+        // Pixels by which the ray lies beyond the border that it is farthest beyond, for either winding.
+        double beyond[2] = {-kInfinity, -kInfinity};
+        for (const glm::dvec3& border : borders) {
+            const glm::dvec2 rise(2 * m_view.tanHalfX / m_view.width * glm::dot(border, m_view.right),
+                                  2 * m_view.tanHalfY / m_view.height * glm::dot(border, m_view.up));
+            const double size = glm::length(rise);
+            if (size == 0) continue;
+            const double distance = glm::dot(border, d) / size;
+            beyond[0] = std::max(beyond[0], -distance);
+            beyond[1] = std::max(beyond[1], distance);
+        }
 
         const glm::dvec3 outward = glm::cross(to - from, directional ? l : l - from);
         const double height = -glm::dot(outward, f), slope = glm::dot(outward, d);
         const double t = -height / slope;
-        if (height == 0 || slope == 0 || t < m_view.nearPlane) return {};
-        return {height > 0 ? side.weight : -side.weight, t, depthGradient(outward, from)};
+        Crossing crossing{.face = height > 0 ? side.weight : -side.weight};
+        if (height == 0 || slope == 0 || t < m_view.nearPlane) return crossing;
+        crossing.miss = std::min(beyond[0], beyond[1]);
+        crossing.t = t;
+        crossing.gradient = depthGradient(outward, from);
+        return crossing;
     }
 
     /// Whether more than @p count casters' triangles lie between the point and the light; exact.
@@ -547,7 +599,8 @@ class Tracer::Frame {
     std::vector<std::uint32_t> m_near{}, m_counted{};
 };
 
-Tracer::Tracer(const Scene& scene, const Light& light) : m_impl(std::make_unique<Impl>(scene, light)) {}
+Tracer::Tracer(const Scene& scene, const Light& light, Silhouette silhouette)
+    : m_impl(std::make_unique<Impl>(scene, light, silhouette)) {}
 
 Tracer::~Tracer() = default;
 

@@ -13,12 +13,14 @@ namespace gnomon {
 /// What can be said of one pixel. Background: no surface there, so no shadow; stays lit.
 enum class Shadow : std::uint8_t { Background, Lit, InShadow };
 
-/// Why a pixel is excused from comparison.
+/// Why a pixel is excused from comparison; the stronger reason is the larger.
 enum class Tie : std::uint8_t {
     None,
+    CountIfClamped,  ///< a side of a volume lies so close to the visible surface that it may be counted or
+                     ///< not; a count keeps its class either way, but a mask that has lost counts by clamping
+                     ///< may not
+    Count,  ///< the same, and the class of the count would change
     Truth,  ///< the answer changes within 1/256 pixel, or within one quantum of depth
-    Count,  ///< a face of a volume lies so close to the visible surface that on its other side the mask's
-            ///< class would change
 };
 
 /// The exact shadows of one frame. Rows from the top of the image, as in Image.
@@ -54,8 +56,9 @@ DepthTies depthTies(int bits);
 /// rational).
 class Tracer {
   public:
-    /// @param scene must outlive the tracer
-    Tracer(const Scene& scene, const Light& light);
+    /// @param scene       must outlive the tracer
+    /// @param silhouette  of the volumes whose sides make count ties; truth itself does not depend on it
+    Tracer(const Scene& scene, const Light& light, Silhouette silhouette = Silhouette::Winding);
     ~Tracer();
     Tracer(const Tracer&) = delete;
     Tracer& operator=(const Tracer&) = delete;

@@ -137,8 +137,11 @@ Faces prism(const NearPlane& plane, const glm::uvec3& t) {
     return faces;
 }
 
-/// Appends the part of @p face beyond the near plane, as a fan.
-void appendBeyond(const NearPlane& plane, const Face& face, std::vector<glm::vec4>& triangles) {
+/// Appends the part of @p face beyond the near plane, as a fan; @p reversed: wound the other way. A
+/// rasteriser that swaps the first two vertices of a clockwise triangle then sets up both windings from the
+/// same three vertices.
+void appendBeyond(const NearPlane& plane, const Face& face, bool reversed,
+                  std::vector<glm::vec4>& triangles) {
     Few<glm::vec4, 8> polygon;
     for (int i = 0; i < face.size(); ++i) {
         const Corner a = face[i], b = face[(i + 1) % face.size()];
@@ -147,8 +150,19 @@ void appendBeyond(const NearPlane& plane, const Face& face, std::vector<glm::vec
         if (aBeyond != bBeyond) polygon.push_back(plane.drawnCut(a, b));
     }
     for (int i = 2; i < polygon.size(); ++i) {
-        for (const int k : {0, i - 1, i}) triangles.push_back(polygon[k]);
+        triangles.push_back(polygon[reversed ? i - 1 : 0]);
+        triangles.push_back(polygon[reversed ? 0 : i - 1]);
+        triangles.push_back(polygon[i]);
     }
+}
+
+/// Appends a side. Sides that hang from one edge in opposite directions (of two volumes that share it) get
+/// the same triangles, so that their depths are the same to the bit and cancel.
+void appendSide(const NearPlane& plane, std::uint32_t from, std::uint32_t to,
+                std::vector<glm::vec4>& triangles) {
+    const bool reversed = from < to;
+    appendBeyond(plane, reversed ? sideFace(plane, to, from) : sideFace(plane, from, to), reversed,
+                 triangles);
 }
 
 /// The edges of the section of a prism with the plane, in order, so that the section is counter-clockwise
@@ -310,13 +324,13 @@ NearCut cutAtNearPlane(const Scene& scene, const LitCaster& caster, const glm::v
     for (const Side& side : caster.sides) {
         const glm::dvec3 from = mesh.positions[side.from], to = mesh.positions[side.to];
         const bool isFront = orientation(from, to, view.eye, glm::dvec4(light)) < 0;
-        const Face face = sideFace(plane, side.from, side.to);
-        for (int i = 0; i < side.weight; ++i) appendBeyond(plane, face, isFront ? cut.fronts : cut.backs);
+        for (int i = 0; i < side.weight; ++i)
+            appendSide(plane, side.from, side.to, isFront ? cut.fronts : cut.backs);
     }
 
     // Far cap: always a back, as the eye is on this side of infinity.
     if (!plane.directional()) {
-        for (const glm::uvec3& t : caster.lit) appendBeyond(plane, farCap(t), cut.backs);
+        for (const glm::uvec3& t : caster.lit) appendBeyond(plane, farCap(t), false, cut.backs);
     }
 
     // Near cap: one polygon per lit triangle.

@@ -1,0 +1,141 @@
+// The JSON object of a cell, as the design fixes it.
+
+#include "matrix/cell_json.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+using testing::ElementsAreArray;
+using Json = nlohmann::ordered_json;
+
+/// A cell in which no value is its default, nor equal to its neighbour.
+Cell fullCell() {
+    Cell c;
+    c.profile = "voodoo2", c.method = "roettger-screen", c.scene = "models/cow, \"brown\".ply";
+    c.axes = {.store = Store::Screen,
+              .arithmetic = Arithmetic::Double,
+              .levels = 3,
+              .count = Count::ZpassCap,
+              .silhouette = Silhouette::PerTriangle,
+              .maskDivisor = 4,
+              .apply = Apply::Texture,
+              .shade = Shade::Ambient};
+    c.width = 512, c.height = 384, c.frame = 7;
+    c.fidelity = "gl";
+    c.verdict = Verdict::Wrong;
+    c.chosen = true;
+    c.missing = {{"stencil_bits", "stencil", "M-TDFX"}, {"blend_equations", "blend equation max", "MAME"}};
+    c.causes = {{"mask clamps", 17}, {"unexplained", 2}};
+    c.passes = {2, 4, 3, 1};
+    c.pixels = 196608;
+    c.tiedTruth = 12, c.tiedCount = 5;
+    c.wrongEdge = 8, c.wrongInterior = 11;
+    c.cpuMs = 1.96, c.unshadowedMs = 0.71;
+    c.digest = "00ff00ff00ff00ff";
+    return c;
+}
+
+std::vector<std::string> keysOf(const Json& object) {
+    std::vector<std::string> keys;
+    for (const auto& item : object.items()) keys.push_back(item.key());
+    return keys;
+}
+
+// Of the design's list, "unpredicted" comes with the predictor; "chosen" marks the path of a chip.
+TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
+    const std::vector<std::string> fields{
+        "cell",   "profile",    "method",     "scene",  "store",         "arithmetic", "levels",
+        "count",  "silhouette", "mask_scale", "apply",  "shade",         "width",      "height",
+        "frame",  "fidelity",   "verdict",    "chosen", "missing",       "causes",     "passes",
+        "pixels", "tied",       "wrong",      "cpu_ms", "unshadowed_ms", "digest"};
+    const Json json = toJson(fullCell());
+    EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
+    EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));
+    EXPECT_THAT(keysOf(json["tied"]), ElementsAreArray({"truth", "count"}));
+    EXPECT_THAT(keysOf(json["wrong"]), ElementsAreArray({"edge", "interior"}));
+}
+
+TEST(CellJson, PutsEachValueUnderItsName) {
+    const Json json = toJson(fullCell());
+    EXPECT_EQ(json["cell"], "voodoo2/roettger-screen/models/cow, \"brown\".ply/512x384/7");
+    EXPECT_EQ(json["count"], "zpass-cap");
+    EXPECT_EQ(json["silhouette"], "per-triangle");
+    EXPECT_EQ(json["passes"].dump(), R"({"scene":2,"volume":4,"rectangle":3,"copy":1})");
+    EXPECT_EQ(json["tied"].dump(), R"({"truth":12,"count":5})");
+    EXPECT_EQ(json["wrong"].dump(), R"({"edge":8,"interior":11})");
+    EXPECT_EQ(json["causes"].dump(), R"({"mask clamps":17,"unexplained":2})");
+    EXPECT_EQ(json["missing"][0].dump(),
+              R"({"capability":"stencil_bits","what":"stencil","source":"M-TDFX"})");
+    EXPECT_EQ(json["cpu_ms"], 1.96);
+    EXPECT_EQ(json["unshadowed_ms"], 0.71);
+}
+
+TEST(CellJson, KeepsEmptyListsAndObjects) {
+    const Json json = toJson(Cell{});
+    EXPECT_EQ(json["missing"].dump(), "[]");
+    EXPECT_EQ(json["causes"].dump(), "{}");
+}
+
+TEST(CellJson, WritesMaskScaleAsANumber) {
+    Cell cell = fullCell();
+    for (const auto& [divisor, text] : {std::pair(1, "1"), {2, "0.5"}, {4, "0.25"}}) {
+        cell.axes.maskDivisor = divisor;
+        EXPECT_EQ(toJson(cell)["mask_scale"].dump(), text);
+    }
+}
+
+TEST(CellJson, GivesLevelsForDoubleOnly) {
+    Cell cell = fullCell();
+    EXPECT_EQ(toJson(cell)["levels"], 3);
+    cell.axes.arithmetic = Arithmetic::Halve;
+    EXPECT_FALSE(toJson(cell).contains("levels"));
+    cell.axes.arithmetic = Arithmetic::Count;
+    EXPECT_FALSE(toJson(cell).contains("levels"));
+}
+
+TEST(CellJson, GivesAnErrorForFailedCellsOnly) {
+    Cell cell = fullCell();
+    EXPECT_FALSE(toJson(cell).contains("error"));
+    cell.verdict = Verdict::Failed, cell.error = "crashed: signal 11";
+    EXPECT_EQ(toJson(cell)["error"], "crashed: signal 11");
+}
+
+// Compared as text: toJson() is held to the fields by the tests above.
+TEST(CellJson, ComesBackAsItWas) {
+    for (const Verdict verdict :
+         {Verdict::Exact, Verdict::Edge, Verdict::Wrong, Verdict::Refused, Verdict::Failed}) {
+        Cell cell = fullCell();
+        cell.verdict = verdict;
+        if (verdict == Verdict::Failed) cell.error = "timed out";
+        const Cell back = cellFromJson(Json::parse(toJson(cell).dump()));
+        EXPECT_EQ(toJson(back).dump(), toJson(cell).dump());
+        EXPECT_EQ(back.axes, cell.axes);
+        EXPECT_EQ(back.missing, cell.missing);
+        EXPECT_EQ(back.error, cell.error);
+    }
+}
+
+TEST(CellJson, ComesBackForEveryNamedMethodAndShade) {
+    for (const NamedMethod& method : namedMethods()) {
+        for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
+            Cell cell = fullCell();
+            cell.axes = method.axes;
+            cell.axes.shade = shade;
+            EXPECT_EQ(cellFromJson(toJson(cell)).axes, cell.axes) << method.id;
+        }
+    }
+}
+
+TEST(CellJson, RefusesWhatIsNoCell) {
+    EXPECT_THROW(cellFromJson(Json::object()), nlohmann::json::exception);
+    EXPECT_THROW(cellFromJson(Json::array()), nlohmann::json::exception);
+    Json json = toJson(fullCell());
+    json["width"] = "wide";
+    EXPECT_THROW(cellFromJson(json), nlohmann::json::exception);
+}
+
+}  // namespace
+}  // namespace gnomon

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "matrix/run.h"
+#include "profile/profile.h"
+#include "scene/load.h"
+
+namespace gnomon {
+
+inline const std::filesystem::path kSource = GNOMON_SOURCE;
+
+inline Scene shippedScene(const std::string& id) {
+    return loadScene(kSource / "scenes" / (id + ".toml"));
+}
+
+inline Profile chip(const std::string& id) {
+    return loadProfile(kSource / "profiles" / (id + ".toml"));
+}
+
+inline Axes method(const std::string& id) {
+    return findMethod(id)->axes;
+}
+
+/// @p axes with another silhouette.
+inline Axes with(Axes axes, Silhouette silhouette) {
+    axes.silhouette = silhouette;
+    return axes;
+}
+
+/// @p axes with another way to count.
+inline Axes with(Axes axes, Count count) {
+    axes.count = count;
+    return axes;
+}
+
+}  // namespace gnomon
