@@ -1,0 +1,373 @@
+// The program as a user runs it: what it prints where, and its exit status.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "image/image.h"
+#include "method/method.h"
+#include "program.h"
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::Not;
+using testing::SizeIs;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+const std::filesystem::path kShared = GNOMON_SHARED;
+
+class Program : public ProgramTest {
+  protected:
+    /// Holds @p outcome to the rule for bad arguments and files: status 2, one line on standard error that
+    /// has
+    /// @p what in it, nothing on standard output.
+    static void expectRefused(const Outcome& outcome, const std::string& what) {
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_THAT(outcome.err, AllOf(StartsWith("gnomon: "), EndsWith("\n"), HasSubstr(what)));
+    }
+};
+
+constexpr const char* kCommands[] = {"matrix",   "render",  "plan",  "reproduce",
+                                     "profiles", "methods", "scenes"};
+
+TEST_F(Program, ListsEveryCommandInItsHelp) {
+    const Outcome help = run({"--help"});
+    EXPECT_EQ(help.status, 0);
+    EXPECT_EQ(help.err, "");
+    for (const char* command : kCommands)
+        EXPECT_THAT(help.out, HasSubstr(std::string("\n  ") + command + " "));
+    EXPECT_THAT(help.out, HasSubstr("exit status: 0"));
+}
+
+TEST_F(Program, HasAHelpWithAnExampleOfUseForEveryCommand) {
+    for (const char* command : kCommands) {
+        const Outcome help = run({command, "--help"});
+        EXPECT_EQ(help.status, 0) << command;
+        EXPECT_THAT(help.out, AllOf(HasSubstr(std::string("gnomon ") + command), HasSubstr("--format")))
+            << command;
+    }
+}
+
+TEST_F(Program, HasEveryFlagOfTheDesign) {
+    for (const char* command : {"matrix", "render", "plan"}) {
+        const std::string help = run({command, "--help"}).out;
+        for (const char* flag :
+             {"--scene", "--profile", "--method", "--size", "--format", "--store", "--arithmetic", "--levels",
+              "--count", "--silhouette", "--mask-scale", "--apply", "--shade", "--light", "--eye", "--target",
+              "--fov", "--near", "--ground"})
+            EXPECT_THAT(help, HasSubstr(std::string("  ") + flag)) << command;
+    }
+    const std::string matrix = run({"matrix", "--help"}).out, render = run({"render", "--help"}).out;
+    for (const char* flag : {"--frames", "--jobs", "--fidelity"}) EXPECT_THAT(matrix, HasSubstr(flag));
+    for (const char* flag : {"-o,", "--mask ", "--steps", "--fidelity"}) EXPECT_THAT(render, HasSubstr(flag));
+    EXPECT_THAT(run({"reproduce", "--help"}).out, AllOf(HasSubstr("--table"), HasSubstr("roettger2002")));
+}
+
+TEST_F(Program, ListsEveryNamedMethod) {
+    const std::string list = run({"methods"}).out;
+    for (const NamedMethod& method : namedMethods())
+        EXPECT_THAT(list, AllOf(HasSubstr("\n" + method.id + " "), HasSubstr(method.source)));
+}
+
+TEST_F(Program, ShowsTheFactsOfAChipWithSources) {
+    const Outcome shown = run({"profiles", "voodoo2"});
+    EXPECT_EQ(shown.status, 0);
+    EXPECT_THAT(shown.out,
+                AllOf(HasSubstr("alpha_excludes_depth"), HasSubstr("[GL-CVG"), HasSubstr("Sources")));
+}
+
+struct BadArguments {
+    std::string name;
+    std::vector<std::string> arguments;
+    std::string what;  ///< the line must name it
+};
+void PrintTo(const BadArguments& c, std::ostream* out) {
+    *out << c.name;
+}
+
+class BadArgument : public Program, public testing::WithParamInterface<BadArguments> {};
+
+TEST_P(BadArgument, IsRefusedInOneLine) {
+    expectRefused(run(GetParam().arguments), GetParam().what);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cli, BadArgument,
+    testing::Values(
+        BadArguments{"NoCommand", {}, "subcommand"}, BadArguments{"UnknownCommand", {"matrx"}, "'matrx'"},
+        BadArguments{"UnknownFlag", {"matrix", "--colour"}, "--colour"},
+        BadArguments{"UnknownProfile", {"matrix", "--profile", "voodoo9"}, "'voodoo9' (known: "},
+        BadArguments{"UnknownProfileShown", {"profiles", "voodoo9"}, "'voodoo9'"},
+        BadArguments{"UnknownMethod", {"matrix", "--method", "carmak"}, "'carmak' (known: "},
+        BadArguments{"UnknownMethodShown", {"methods", "carmak"}, "'carmak'"},
+        BadArguments{"UnknownScene", {"matrix", "--scene", "boxen"}, "boxen: "},
+        BadArguments{"UnknownSceneAmongKnown", {"matrix", "boxes,boxen"}, "boxen: "},
+        BadArguments{"UnknownStore", {"matrix", "--store", "tape"}, "--store: no such value 'tape'"},
+        BadArguments{
+            "UnknownArithmetic", {"plan", "--arithmetic", "triple"}, "--arithmetic: no such value 'triple'"},
+        BadArguments{"UnknownCount", {"render", "--count", "zmaybe"}, "--count: no such value 'zmaybe'"},
+        BadArguments{"UnknownSilhouette", {"matrix", "--silhouette", "round"}, "'round'"},
+        BadArguments{"UnknownMaskScale", {"matrix", "--mask-scale", "1/3"}, "'1/3'"},
+        BadArguments{"UnknownApply", {"matrix", "--apply", "glue"}, "'glue'"},
+        BadArguments{"UnknownShade", {"render", "--shade", "grey"}, "'grey'"},
+        BadArguments{"LevelsBeyondTheRange", {"matrix", "--levels", "9"}, "--levels: 9"},
+        BadArguments{
+            "ContradictionsOnly", {"matrix", "--store", "stencil", "--arithmetic", "double"}, "no method"},
+        BadArguments{"UnknownFormat", {"matrix", "--format", "xml"}, "xml"},
+        BadArguments{"ChipFidelity", {"matrix", "--fidelity", "chip"}, "chip"},
+        BadArguments{"NoJobs", {"matrix", "--jobs", "0"}, "--jobs"},
+        BadArguments{"SizeZero", {"matrix", "--size", "0x0"}, "0x0"},
+        BadArguments{"SizeOfNoWidth", {"render", "--size", "0x240"}, "0x240"},
+        BadArguments{"SizeHuge", {"matrix", "--size", "100000x100000"}, "100000x100000"},
+        BadArguments{"SizeBeyondIntegers", {"matrix", "--size", "99999999999x2"}, "99999999999"},
+        BadArguments{"SizeOfOneNumber", {"plan", "--size", "320"}, "320"},
+        BadArguments{"SizeOfLetters", {"matrix", "--size", "320xabc"}, "abc"},
+        BadArguments{"SizeNegative", {"matrix", "--size", "-320x240"}, "-320x240"},
+        BadArguments{"SizeBadAmongGood", {"matrix", "--size", "64x64,0x0"}, "0x0"},
+        BadArguments{"FrameNegative", {"render", "--frame", "-1"}, "0 to 59"},
+        BadArguments{"FrameBeyondThePath", {"render", "--frame", "60"}, "0 to 59"},
+        BadArguments{"FrameOfPlanBeyondThePath", {"plan", "--frame", "60"}, "0 to 59"},
+        BadArguments{"FramesNegative", {"matrix", "--frames", "-1"}, "'-1'"},
+        BadArguments{"FramesBackwards", {"matrix", "--frames", "5-3"}, "'5-3'"},
+        BadArguments{"FramesBeyondThePath", {"matrix", "--frames", "60-80"}, "0 to 59"},
+        BadArguments{"MissingFile", {"matrix", "/nowhere/mesh.ply"}, "/nowhere/mesh.ply"},
+        BadArguments{
+            "MissingProfileFile", {"matrix", "--profile", "/nowhere/chip.toml"}, "/nowhere/chip.toml"},
+        BadArguments{"FolderAsScene", {"render", "--scene", "/tmp"}, "/tmp"},
+        BadArguments{"DeviceAsScene", {"render", "/dev/null"}, "/dev/null"},
+        BadArguments{"LightOfTwoNumbers", {"render", "--light", "1,2"}, "--light"},
+        BadArguments{"LightOfLetters", {"render", "--light", "a,b,c"}, "'a'"},
+        BadArguments{"LightWithoutDirection", {"render", "--light", "0,0,0,0"}, "light"},
+        BadArguments{"LightBeyondFloat", {"render", "--light", "1e39,0,0"}, "1e39"},
+        BadArguments{"EyeOfFourNumbers", {"render", "--eye", "1,2,3,4"}, "--eye"},
+        BadArguments{"EyeNotANumber", {"render", "--eye", "nan,0,0"}, "nan"},
+        BadArguments{"EyeAtTarget", {"render", "--eye", "1,2,3", "--target", "1,2,3"}, "eye"},
+        BadArguments{"FovZero", {"render", "--fov", "0"}, "fov"},
+        BadArguments{"FovStraight", {"render", "--fov", "180"}, "fov"},
+        BadArguments{"FovOfLetters", {"render", "--fov", "wide"}, "--fov"},
+        BadArguments{"NearZero", {"render", "--near", "0"}, "near"},
+        BadArguments{"NearNegative", {"render", "--near", "-1"}, "near"},
+        BadArguments{"NearInfinite", {"matrix", "--near", "inf"}, "near"},
+        BadArguments{"GroundUnknown", {"render", "--ground", "perhaps"}, "perhaps"},
+        BadArguments{"PaperUnknown", {"reproduce", "crow1977"}, "crow1977"},
+        BadArguments{"PaperMissing", {"reproduce"}, "paper"},
+        BadArguments{"TableUnknown", {"reproduce", "roettger2002", "--table", "2"}, "table 1"},
+        BadArguments{"TwoMethodsToRender", {"render", "--method", "none,heidmann"}, "one method"},
+        BadArguments{"TwoChipsToRender", {"render", "--profile", "tnt,voodoo2"}, "--profile: 2"},
+        BadArguments{"TwoScenesToPlan", {"plan", "boxes,knot"}, "--scene: 2"},
+        BadArguments{"TwoSizesToRender", {"render", "--size", "64x64,32x32"}, "--size: 2"}),
+    [](const auto& test) { return test.param.name; });
+
+TEST_F(Program, RefusesAMalformedSceneFileWithItsLine) {
+    const std::string file = write("bad.toml", "title = \"x\"\nambient = \n");
+    expectRefused(run({"matrix", file}), file + ":2: ");
+    const std::string unknown = write("unknown.toml", "title = \"x\"\nambiant = 0.2\n");
+    expectRefused(run({"render", unknown}), unknown + ":2: ");
+}
+
+TEST_F(Program, RefusesAMalformedProfileFileWithItsLine) {
+    const std::string file = write("chip.toml", "title = \"x\"\nyear = 1998\nstencil_bits = [\n");
+    expectRefused(run({"matrix", "--profile", file}), file + ":");
+    const std::string unknown = write("unknown.toml", "title = \"x\"\nstencil_bitz = 8\n");
+    expectRefused(run({"render", "--profile", unknown}), unknown + ":2: ");
+}
+
+TEST_F(Program, RefusesATruncatedMesh) {
+    const std::string whole =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+        "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+    EXPECT_EQ(run({"scenes", write("whole.ply", whole)}).status, 0);
+    for (const std::size_t length : {0u, 3u, 60u, 150u, 180u, 190u}) {
+        const std::string file = write("cut.ply", whole.substr(0, length));
+        SCOPED_TRACE(length);
+        expectRefused(run({"render", "--size", "16x16", file}), file);
+    }
+}
+
+std::vector<std::filesystem::path> malformedFiles() {
+    std::vector<std::filesystem::path> files;
+    std::error_code missing;
+    for (const auto& entry : std::filesystem::directory_iterator(kShared / "data/malformed", missing))
+        if (entry.path().extension() != ".bin") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+class MalformedFile : public Program, public testing::WithParamInterface<std::filesystem::path> {};
+GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MalformedFile);
+
+TEST_P(MalformedFile, IsRefusedInOneLine) {
+    expectRefused(run({"matrix", "--scene", GetParam()}), GetParam().string() + ":");
+    expectRefused(run({"render", GetParam(), "--size", "16x16"}), GetParam().string() + ":");
+}
+
+INSTANTIATE_TEST_SUITE_P(Shared, MalformedFile, testing::ValuesIn(malformedFiles()), [](const auto& test) {
+    std::string name = test.param.filename();
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+});
+
+TEST_F(Program, TakesNegativeCoordinates) {
+    EXPECT_EQ(
+        run({"render", "--size", "16x16", "--eye", "-1,2,3", "--target", "-.5,1,-2", "--light", "-1,9,-2"})
+            .err,
+        "");
+}
+
+// One array and nothing else, whatever is drawn.
+TEST_F(Program, PrintsOneJsonArray) {
+    const std::vector<std::pair<std::vector<std::string>, std::size_t>> runs{
+        {{"matrix", "boxes,roettger", "--size", "32x24", "--frames", "0,1", "--method", "none,heidmann"},
+         2 * 2 * 2 * 7},
+        {{"render", "--size", "32x24"}, 1},
+        {{"plan", "--size", "32x24"}, 1},
+        {{"plan", "--shade", "black,ambient,attenuated"}, 3},
+        {{"plan", "--profile", "voodoo1", "--size", "1024x1024"}, 0},
+        {{"profiles"}, 7},
+        {{"methods"}, namedMethods().size()},
+        {{"scenes"}, 3},
+        {{"reproduce", "roettger2002", "--table", "1"}, 8}};
+    for (auto [arguments, length] : runs) {
+        arguments.insert(arguments.end(), {"--format", "json"});
+        const Outcome outcome = run(arguments);
+        EXPECT_EQ(outcome.status, 0) << arguments[0];
+        EXPECT_EQ(outcome.err, "") << arguments[0];
+        const Json json = Json::parse(outcome.out, nullptr, false);
+        ASSERT_TRUE(json.is_array()) << arguments[0] << ": " << outcome.out.substr(0, 300);
+        EXPECT_EQ(json.size(), length) << arguments[0];
+    }
+}
+
+// Messages of CLI11 aside, a file's notes go to standard error.
+TEST_F(Program, KeepsNotesOffTheJson) {
+    const std::string mesh = write(
+        "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 1 2\n");
+    const Outcome outcome =
+        run({"matrix", mesh, "--size", "16x16", "--method", "heidmann", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.err, HasSubstr("degenerate"));
+    EXPECT_TRUE(Json::accept(outcome.out));
+}
+
+TEST_F(Program, ReproducesTheTableOfThePaper) {
+    const Outcome outcome = run({"reproduce", "roettger2002", "--table", "1", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0);
+    std::vector<std::string> rows;
+    for (const Json& row : Json::parse(outcome.out)) {
+        EXPECT_EQ(row["counted"], row["published"]) << row;
+        EXPECT_EQ(row["planned"], row["published"]) << row;
+        EXPECT_EQ(row["agrees"], true);
+        rows.push_back(row["buffer"].get<std::string>() + " " + row["shade"].get<std::string>() +
+                       (row["maximum"] ? " max " : " ") + row["counted"]["scene"].dump() + "/" +
+                       row["counted"]["rectangle"].dump());
+    }
+    EXPECT_THAT(rows, testing::UnorderedElementsAre("alpha black 1/4", "alpha ambient 2/4",
+                                                    "alpha attenuated 1/4", "alpha attenuated max 1/2",
+                                                    "screen black 2/3", "screen ambient 3/3",
+                                                    "screen attenuated 2/3", "screen attenuated max 2/1"));
+    const Outcome text = run({"reproduce", "roettger2002"});
+    EXPECT_EQ(text.status, 0);
+    EXPECT_THAT(text.out, AllOf(HasSubstr("agrees"), Not(HasSubstr("DIFFERS"))));
+}
+
+TEST_F(Program, WritesPicturesOfTheRightSize) {
+    const std::string image = pathOf("image.png"), mask = pathOf("mask.png"), truth = pathOf("truth.png");
+    const Outcome outcome = run({"render", "boxes", "--size", "97x61", "-o", image, "--mask", mask, "--truth",
+                                 truth, "--steps", pathOf("steps")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Image picture = readImage(image), shadows = readImage(mask);
+    EXPECT_EQ(std::tuple(picture.width, picture.height, picture.channels), std::tuple(97, 61, 3));
+    EXPECT_EQ(std::tuple(shadows.width, shadows.height, shadows.channels), std::tuple(97, 61, 1));
+    EXPECT_EQ(readImage(truth).data.size(), 97u * 61u);
+    // White lit, black in shadow, nothing between, and some of both.
+    const auto black = std::count(shadows.data.begin(), shadows.data.end(), 0);
+    const auto white = std::count(shadows.data.begin(), shadows.data.end(), 255);
+    EXPECT_EQ(black + white, 97 * 61);
+    EXPECT_GT(std::min(black, white), 100);
+    // Top left is sky, and rows come from the top.
+    EXPECT_EQ(shadows.data.front(), 255);
+
+    const Json plan = Json::parse(run({"plan", "boxes", "--size", "97x61", "--format", "json"}).out);
+    std::size_t steps = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(pathOf("steps")))
+        steps += entry.path().string().ends_with("-colour.png");
+    EXPECT_EQ(steps, plan[0]["passes"].size());
+}
+
+TEST_F(Program, RefusesToRenderWhatTheChipCantNamingWhatIsMissing) {
+    const Outcome outcome =
+        run({"render", "--profile", "voodoo2", "--method", "roettger-alpha", "-o", pathOf("image.png")});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.out, AllOf(HasSubstr("refused"), HasSubstr("destination alpha beside depth")));
+    EXPECT_THAT(leftBehind(), IsEmpty());
+
+    const Outcome tooLarge =
+        run({"render", "--profile", "voodoo1", "--size", "1024x768", "--format", "json"});
+    EXPECT_EQ(tooLarge.status, 1);
+    EXPECT_EQ(tooLarge.out, "");
+    EXPECT_THAT(tooLarge.err, AllOf(HasSubstr("640x480 at most"), HasSubstr("can run none")));
+}
+
+TEST_F(Program, LeavesNothingBehindWhereItCantWrite) {
+    const std::string file = write("plain", "mine");
+    for (const std::vector<std::string>& output :
+         {std::vector<std::string>{"-o", pathOf("nowhere/image.png")},
+          {"--mask", pathOf("image.kind")},
+          {"-o", file + "/image.png"},
+          {"--truth", pathOf("")},
+          {"--steps", file},
+          {"--steps", file + "/steps"}}) {
+        std::vector<std::string> arguments{"render", "--size", "16x16", "--method", "heidmann"};
+        arguments.insert(arguments.end(), output.begin(), output.end());
+        SCOPED_TRACE(output[0] + " " + output[1]);
+        expectRefused(run(arguments), output[1]);
+        EXPECT_THAT(leftBehind(), testing::ElementsAre("plain"));
+        EXPECT_EQ(contentOf(file), "mine");
+    }
+}
+
+TEST_F(Program, SaysWhichPathAChipTakesAndWhyNotTheOthers) {
+    const auto wordsOf = [&](const std::string& profile) {
+        return run({"render", "--size", "32x24", "--profile", profile}).out;
+    };
+    EXPECT_THAT(wordsOf("tnt"), AllOf(HasSubstr("heidmann: chosen for tnt"), Not(HasSubstr("lacks"))));
+    EXPECT_THAT(
+        wordsOf("voodoo2"),
+        AllOf(HasSubstr("heidmann: not on voodoo2, which lacks\n  stencil ["),
+              HasSubstr("roettger-alpha: not on voodoo2, which lacks\n  destination alpha beside depth ["),
+              HasSubstr("roettger-screen: chosen for voodoo2")));
+    EXPECT_THAT(wordsOf("ps2"),
+                AllOf(HasSubstr("heidmann: not on ps2"), HasSubstr("blending of destination alpha ["),
+                      HasSubstr("roettger-screen: not on ps2"), HasSubstr("with a varying source colour ["),
+                      HasSubstr("screen-texture: chosen for ps2")));
+}
+
+TEST_F(Program, MarksThePathInTheMatrix) {
+    const Outcome outcome =
+        run({"matrix", "roettger", "--size", "32x24", "--frames", "0", "--format", "json"});
+    std::vector<std::string> chosen;
+    for (const Json& cell : Json::parse(outcome.out))
+        if (cell["chosen"])
+            chosen.push_back(cell["profile"].get<std::string>() + " " + cell["method"].get<std::string>());
+    EXPECT_THAT(chosen, testing::UnorderedElementsAre("ideal heidmann", "tnt heidmann", "geforce2mx heidmann",
+                                                      "voodoo1 roettger-screen", "voodoo2 roettger-screen",
+                                                      "voodoo3 roettger-screen", "ps2 screen-texture"));
+}
+
+}  // namespace
+}  // namespace gnomon

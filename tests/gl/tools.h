@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "gl/frame.h"
+#include "method/method.h"
+#include "profile/profile.h"
+#include "scene/primitives.h"
+
+namespace gnomon {
+
+inline void PrintTo(Shade shade, std::ostream* out) {
+    *out << name(shade);
+}
+
+inline const std::vector<std::string> kLimitedChips{"geforce2mx", "ps2",     "tnt",
+                                                    "voodoo1",    "voodoo2", "voodoo3"};
+
+inline Profile chip(const std::string& id) {
+    return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / (id + ".toml"));
+}
+
+inline Object placed(const std::string& name, Mesh mesh, const glm::vec3& at, bool casts = true) {
+    for (glm::vec3& p : mesh.positions) p += at;
+    return {.name = name, .mesh = std::move(mesh), .casts = casts};
+}
+
+/// A floor, two boxes above it whose shadows overlap, and some background at the top of the picture.
+inline Scene twoBoxes() {
+    Scene scene;
+    scene.objects = {placed("floor", rectangle({9, 9}), {0, 0, 0}, false),
+                     placed("low", box({1.1, 0.3, 1.3}), {0.21f, 0.83f, 0.17f}),
+                     placed("high", box({0.9, 0.4, 0.7}), {-0.33f, 1.67f, -0.29f})};
+    scene.lights = {{.position = {0.4f, 8.3f, 0.7f, 1}}};
+    scene.frames = {{.eye = {2.9f, 3.1f, 5.7f}, .target = {0, 0.6f, 0}, .fovDegrees = 50, .nearPlane = 0.5f}};
+    return scene;
+}
+
+/// What one frame of a scene is drawn from.
+struct Frame {
+    FrameSurfaces surfaces{};
+    FrameVolumes volumes{};
+};
+
+inline Frame frameOf(const Scene& scene, int width, int height, bool nearCap = true, std::size_t frame = 0) {
+    const View view = viewOf(scene.frames.at(frame), width, height);
+    const Light& light = scene.lights.front();
+    const auto lit = litCasters(scene, light.position, Silhouette::Winding);
+    return {frameSurfaces(scene, light, view), frameVolumes(scene, lit, light.position, view, nearCap)};
+}
+
+/// All methods that don't contradict themselves: the full product of the axes that shape a plan, at
+/// @p levels.
+inline std::vector<Axes> allMethods(int levels = 2) {
+    using enum Store;
+    using enum Arithmetic;
+    std::vector<Axes> all;
+    for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
+        all.push_back({.store = None, .levels = 0, .shade = shade});
+        for (const Store store : {Stencil, Alpha, Screen})
+            for (const Arithmetic arithmetic : {Arithmetic::Count, Double, Halve})
+                for (const gnomon::Count count : {Count::Zpass, Count::ZpassCap})
+                    for (const int divisor : {1, 2, 4})
+                        for (const Apply apply : {Apply::Blend, Apply::Texture}) {
+                            const Axes axes{.store = store,
+                                            .arithmetic = arithmetic,
+                                            .levels = arithmetic == Double ? levels : 0,
+                                            .count = count,
+                                            .maskDivisor = divisor,
+                                            .apply = apply,
+                                            .shade = shade};
+                            if (!contradiction(axes)) all.push_back(axes);
+                        }
+    }
+    return all;
+}
+
+inline std::string describe(const Axes& axes) {
+    return methodId(axes) + " " + name(axes.shade);
+}
+
+}  // namespace gnomon

@@ -1,0 +1,184 @@
+// The matrix as text, JSON and CSV, from cells made by hand.
+
+#include "report/matrix_report.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace gnomon {
+namespace {
+
+using testing::AllOf;
+using testing::Each;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::SizeIs;
+
+/// One cell of each verdict on two chips, two methods and two frames, with words that need quoting.
+std::vector<Cell> cells() {
+    std::vector<Cell> all;
+    for (const int frame : {0, 15}) {
+        for (const char* method :
+             {"roettger-screen", "roettger-alpha", "roettger-screen-max", "heidmann", "none"}) {
+            for (const char* profile : {"ideal", "voodoo2"}) {
+                Cell c;
+                c.profile = profile, c.method = method, c.scene = "models/a, \"b\".ply";
+                c.axes = findMethod(method)->axes;
+                c.width = 320, c.height = 240, c.frame = frame, c.pixels = 76800;
+                c.passes = {2, 4, 3, 0};
+                c.verdict = Verdict::Exact;
+                c.digest = "0123456789abcdef";
+                const bool isIdeal = c.profile == "ideal";
+                if (c.method == "heidmann" && isIdeal) c.chosen = true;
+                if (c.method == "roettger-alpha" && !isIdeal)
+                    c.verdict = Verdict::Refused,
+                    c.missing = {
+                        {"alpha_excludes_depth", "destination alpha beside depth", "MAME, \"one pipe\""}};
+                if (c.method == "roettger-screen-max" && isIdeal && frame == 15)
+                    c.verdict = Verdict::Edge, c.wrongEdge = 3, c.causes = {{"unexplained", 3}};
+                if (c.method == "none")
+                    c.verdict = Verdict::Wrong, c.wrongEdge = 10, c.wrongInterior = 30,
+                    c.causes = {{"no shadow is drawn", 40}};
+                if (c.method == "heidmann" && !isIdeal)
+                    c.verdict = Verdict::Failed, c.error = "crashed: signal 11";
+                all.push_back(c);
+            }
+        }
+    }
+    return all;
+}
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream stream(text);
+    for (std::string line; std::getline(stream, line);) lines.push_back(line);
+    return lines;
+}
+
+/// The columns of the line that starts with @p method: two blanks or more part them.
+std::vector<std::string> rowOf(const std::string& text, const std::string& method) {
+    for (const std::string& line : linesOf(text)) {
+        if (!line.starts_with(method + "  ")) continue;
+        std::vector<std::string> columns;
+        for (std::size_t at = 0; at < line.size();) {
+            const std::size_t end = std::min(line.find("  ", at), line.size());
+            columns.push_back(line.substr(at, end - at));
+            at = std::min(line.find_first_not_of(' ', end), line.size());
+        }
+        return columns;
+    }
+    return {};
+}
+
+/// A reader of CSV by the rules of RFC 4180.
+std::vector<std::vector<std::string>> readCsv(const std::string& text) {
+    std::vector<std::vector<std::string>> records{{""}};
+    bool quoted = false;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        std::string& field = records.back().back();
+        if (quoted && text[i] == '"' && text[i + 1] == '"')
+            field += text[++i];
+        else if (text[i] == '"')
+            quoted = !quoted;
+        else if (quoted)
+            field += text[i];
+        else if (text[i] == ',')
+            records.back().push_back("");
+        else if (text.substr(i, 2) == "\r\n")
+            records.push_back({""}), ++i;
+        else
+            field += text[i];
+    }
+    records.pop_back();
+    return records;
+}
+
+TEST(MatrixText, HasNoEmptyCell) {
+    const std::string text = matrixText(cells());
+    EXPECT_THAT(rowOf(text, "method"), ElementsAre("method", "ideal", "voodoo2"));
+    for (const char* method :
+         {"roettger-screen", "roettger-alpha", "roettger-screen-max", "heidmann", "none"})
+        EXPECT_THAT(rowOf(text, method), AllOf(SizeIs(3), Each(Not(IsEmpty())))) << method;
+}
+
+TEST(MatrixText, ShowsVerdictWrongPixelsPassesAndPath) {
+    const std::string text = matrixText(cells());
+    EXPECT_THAT(rowOf(text, "roettger-screen"), ElementsAre("roettger-screen", "exact 2/3", "exact 2/3"));
+    EXPECT_EQ(rowOf(text, "heidmann").at(1), "exact 2/3*");
+    EXPECT_EQ(rowOf(text, "none").at(1), "WRONG 80 2/3") << "the frames' wrong pixels add up";
+    EXPECT_EQ(rowOf(text, "roettger-screen-max").at(1), "edge 3 2/3") << "the worst frame counts";
+    EXPECT_THAT(rowOf(text, "roettger-alpha").at(2), testing::StartsWith("- "));
+    EXPECT_THAT(rowOf(text, "heidmann").at(2), testing::StartsWith("FAILED"));
+}
+
+TEST(MatrixText, SpellsOutRefusalsFailuresAndCauses) {
+    EXPECT_THAT(matrixText(cells()),
+                AllOf(HasSubstr("destination alpha beside depth"), HasSubstr("MAME, \"one pipe\""),
+                      HasSubstr("crashed: signal 11"), HasSubstr("none: no shadow is drawn: 80"),
+                      HasSubstr("frames 0 15"), HasSubstr("320x240")));
+}
+
+TEST(MatrixText, SetsATableForEachSceneAndSize) {
+    std::vector<Cell> all = cells();
+    for (Cell c : cells()) c.scene = "boxes", all.push_back(c);
+    for (Cell c : cells()) c.width = 64, all.push_back(c);
+    int heads = 0;
+    for (const std::string& line : linesOf(matrixText(all))) heads += line.starts_with("method  ");
+    EXPECT_EQ(heads, 3);
+}
+
+TEST(MatrixText, TellsShadesApart) {
+    std::vector<Cell> all = cells();
+    for (Cell c : cells()) c.axes.shade = Shade::Black, c.verdict = Verdict::Exact, all.push_back(c);
+    EXPECT_THAT(rowOf(matrixText(all), "none"), SizeIs(3));
+    EXPECT_THAT(matrixText(all), HasSubstr("\nroettger-screen black  "));
+}
+
+TEST(MatrixJson, HasOneObjectPerCell) {
+    const auto json = nlohmann::json::parse(matrixJson(cells()));
+    ASSERT_TRUE(json.is_array());
+    ASSERT_EQ(json.size(), cells().size());
+    for (std::size_t i = 0; i < json.size(); ++i) EXPECT_EQ(json[i]["cell"], cells()[i].id());
+}
+
+TEST(MatrixJson, IsAnEmptyArrayWithoutCells) {
+    EXPECT_EQ(nlohmann::json::parse(matrixJson({})).dump(), "[]");
+}
+
+TEST(MatrixCsv, HasAsManyFieldsInEachLineAsInItsHead) {
+    const auto records = readCsv(matrixCsv(cells()));
+    ASSERT_EQ(records.size(), cells().size() + 1);
+    EXPECT_THAT(records, Each(SizeIs(records[0].size())));
+    EXPECT_GT(records[0].size(), 30u);
+}
+
+TEST(MatrixCsv, PutsEachValueUnderItsHead) {
+    const auto records = readCsv(matrixCsv(cells()));
+    const auto field = [&](std::size_t cell, const std::string& head) {
+        const auto at = std::find(records[0].begin(), records[0].end(), head);
+        return at == records[0].end() ? "no " + head
+                                      : records[cell + 1][std::size_t(at - records[0].begin())];
+    };
+    for (std::size_t i = 0; i < cells().size(); ++i) {
+        const Cell c = cells()[i];
+        EXPECT_EQ(field(i, "cell"), c.id());
+        EXPECT_EQ(field(i, "verdict"), name(c.verdict));
+        EXPECT_EQ(field(i, "wrong_edge"), std::to_string(c.wrongEdge));
+        EXPECT_EQ(field(i, "wrong_interior"), std::to_string(c.wrongInterior));
+        EXPECT_EQ(field(i, "passes_rectangle"), "3");
+        EXPECT_EQ(field(i, "chosen"), c.chosen ? "true" : "false");
+        EXPECT_EQ(field(i, "digest"), c.digest);
+        EXPECT_EQ(field(i, "error"), c.error);
+    }
+    EXPECT_EQ(field(3, "missing"), "destination alpha beside depth");
+    EXPECT_EQ(field(8, "causes"), "no shadow is drawn 40");
+}
+
+}  // namespace
+}  // namespace gnomon
