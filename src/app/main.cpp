@@ -36,6 +36,7 @@ int main(int argc, char** argv) {
         "Methods run on a software OpenGL that is held to one chip's limits, and every pixel is compared\n"
         "with exact ray-traced truth.",
         "gnomon");
+    app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
     app.require_subcommand(1);
     app.footer("exit status: 0 as expected, 1 a result differs, 2 bad arguments or files, 3 our own fault");
     try {

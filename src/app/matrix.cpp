@@ -42,6 +42,12 @@ int run(const Options& options) {
         if (framesOf(request, scene).empty())
             throw UsageError(
                 fmt::format("--frames: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+        const int last = int(scene.frames.size()) - 1;
+        for (const int frame : request.frames)
+            if (frame > last) {
+                fmt::print(stderr, "{}: no frame {}, the path has 0 to {}\n", scene.id, frame, last);
+                break;
+            }
         for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
     }
     if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);

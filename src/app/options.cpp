@@ -278,7 +278,8 @@ std::vector<Size> SizeOption::value() const {
             if (side < 1 || side > kLargestSide)
                 throw UsageError(
                     fmt::format("--size: {} in '{}' is not within 1 to {} pixels", side, word, kLargestSide));
-        sizes.push_back(size);
+        const auto isSame = [&](const Size& s) { return s.width == size.width && s.height == size.height; };
+        if (std::none_of(sizes.begin(), sizes.end(), isSame)) sizes.push_back(size);
     }
     return sizes.empty() ? std::vector<Size>{{}} : sizes;
 }

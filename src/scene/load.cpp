@@ -22,6 +22,8 @@ void requireCoordinates(const char* argument, const Vector& value) {
             throw SceneError(fmt::format("{}: {}", argument, fault));
 }
 
+constexpr float kLeastNearPlane = 1e-12f;  ///< depth of anything that is seen is 1 to the last bit below it
+
 void checkOverrides(const SceneOverrides& overrides) {
     if (overrides.light) {
         requireCoordinates("light", *overrides.light);
@@ -36,6 +38,8 @@ void checkOverrides(const SceneOverrides& overrides) {
         throw SceneError(fmt::format("fov: {} is not between 0 and 180 degrees", *overrides.fovDegrees));
     if (overrides.nearPlane && !(*overrides.nearPlane > 0 && std::isfinite(*overrides.nearPlane)))
         throw SceneError(fmt::format("near: {} is not a positive distance", *overrides.nearPlane));
+    if (overrides.nearPlane && *overrides.nearPlane < kLeastNearPlane)
+        throw SceneError(fmt::format("near: {} is less than {}", *overrides.nearPlane, kLeastNearPlane));
 }
 
 /// What the cameras of a mesh file leave open: a near plane that a depth buffer can live with.

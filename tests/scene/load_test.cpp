@@ -102,6 +102,7 @@ TEST_F(LoadScene, RefusesSenselessOverrides) {
     EXPECT_EQ(error({.fovDegrees = 180.f}), "fov: 180 is not between 0 and 180 degrees");
     EXPECT_EQ(error({.fovDegrees = kNan}), "fov: nan is not between 0 and 180 degrees");
     EXPECT_EQ(error({.nearPlane = 0.f}), "near: 0 is not a positive distance");
+    EXPECT_EQ(error({.nearPlane = 1e-40f}), "near: 1e-40 is less than 1e-12");
     EXPECT_EQ(error({.nearPlane = kInf}), "near: inf is not a positive distance");
 }
 
