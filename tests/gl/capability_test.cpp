@@ -146,16 +146,19 @@ class Probes {
             for (const auto& [face, text] : {std::pair(GL_FRONT, "GL_FRONT"), std::pair(GL_BACK, "GL_BACK")})
                 add(
                     "glStencilOpSeparate", text, both(lacks, sides),
-                    [op, face](auto& gl) { gl.StencilOpSeparate(GLenum(face), GL_KEEP, GL_KEEP, op.value); },
+                    [op, side = face](auto& gl) {
+                        gl.StencilOpSeparate(GLenum(side), GL_KEEP, GL_KEEP, op.value);
+                    },
                     op.text);
         }
         for (const auto& [face, text] : {std::pair(GL_FRONT, "GL_FRONT"), std::pair(GL_BACK, "GL_BACK")}) {
             for (const auto& f : kCompares)
                 add(
                     "glStencilFuncSeparate", text, sides,
-                    [f, face](auto& gl) { gl.StencilFuncSeparate(GLenum(face), f.value, 0, 0xff); }, f.text);
+                    [f, side = face](auto& gl) { gl.StencilFuncSeparate(GLenum(side), f.value, 0, 0xff); },
+                    f.text);
             add("glStencilMaskSeparate", text, sides,
-                [face](auto& gl) { gl.StencilMaskSeparate(GLenum(face), 0xff); });
+                [side = face](auto& gl) { gl.StencilMaskSeparate(GLenum(side), 0xff); });
         }
         // Both sides alike is what one-sided stencil does anyway.
         add("glStencilFuncSeparate", "GL_FRONT_AND_BACK", any,
@@ -252,11 +255,12 @@ class Probes {
               std::pair(100, 100), std::pair(96, 64), std::pair(64, 96), std::pair(3, 3), std::pair(255, 256),
               std::pair(320, 240), std::pair(640, 480)}) {
             const std::string size = std::to_string(w) + "x" + std::to_string(h);
-            add("glTexImage2D", size, texture(w, h), [w, h](auto& gl) {
-                gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, w, h, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
+            add("glTexImage2D", size, texture(w, h), [width = w, height = h](auto& gl) {
+                gl.TexImage2D(GL_TEXTURE_2D, 0, GL_RGB, width, height, 0, GL_RGB, GL_UNSIGNED_BYTE, nullptr);
             });
-            add("glCopyTexImage2D", size, texture(w, h),
-                [w, h](auto& gl) { gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, w, h, 0); });
+            add("glCopyTexImage2D", size, texture(w, h), [width = w, height = h](auto& gl) {
+                gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_RGB, 0, 0, width, height, 0);
+            });
         }
         for (int i = 0; i < 8; ++i)
             add("glActiveTexture", "GL_TEXTURE" + std::to_string(i),
@@ -286,7 +290,9 @@ class Probes {
             if (p.maxHeight && top > p.maxHeight) lacks.insert("max_height");
             if (p.frameBytes && right * top * perPixel > p.frameBytes) lacks.insert("frame_bytes");
             add("glViewport", std::to_string(right) + "x" + std::to_string(top), lacks,
-                [=](auto& gl) { gl.Viewport(x, y, w, h); });
+                [left = x, bottom = y, width = w, height = h](auto& gl) {
+                    gl.Viewport(left, bottom, width, height);
+                });
         }
     }
 
@@ -298,7 +304,7 @@ class Probes {
               std::pair(GL_GEOMETRY_SHADER, "GL_GEOMETRY_SHADER"),
               std::pair(GL_TESS_CONTROL_SHADER, "0x8e88"), std::pair(GL_TESS_EVALUATION_SHADER, "0x8e87"),
               std::pair(GL_COMPUTE_SHADER, "0x91b9")})
-            add("glCreateShader", text, lacks, [type](auto& gl) { gl.CreateShader(GLenum(type)); });
+            add("glCreateShader", text, lacks, [kind = type](auto& gl) { gl.CreateShader(GLenum(kind)); });
         add("glCreateProgram", "", lacks, [](auto& gl) { gl.CreateProgram(); });
         add("glUseProgram", "7", lacks, [](auto& gl) { gl.UseProgram(7); });
     }
@@ -322,22 +328,24 @@ class Probes {
               std::tuple(GL_ONE_MINUS_DST_ALPHA, GL_ZERO, "GL_ONE_MINUS_DST_ALPHA, GL_ZERO"),
               std::tuple(GL_ZERO, GL_ONE_MINUS_DST_ALPHA, "GL_ZERO, GL_ONE_MINUS_DST_ALPHA"),
               std::tuple(GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA, "GL_DST_ALPHA, GL_ONE_MINUS_DST_ALPHA")})
-            add("glDrawArrays", text, beside, draw, "reading alpha", [s, d](auto& gl) {
+            add("glDrawArrays", text, beside, draw, "reading alpha", [source = s, destination = d](auto& gl) {
                 gl.ColorMask(1, 1, 1, 0);
                 gl.Enable(GL_BLEND);
-                gl.BlendFunc(GLenum(s), GLenum(d));
+                gl.BlendFunc(GLenum(source), GLenum(destination));
             });
         for (const auto& [format, text] : {std::pair(GL_ALPHA, "GL_ALPHA"), std::pair(GL_ALPHA4, "GL_ALPHA4"),
                                            std::pair(GL_ALPHA8, "GL_ALPHA8")}) {
             add(
                 "glCopyTexImage2D", "alpha", beside,
-                [format](auto& gl) { gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GLenum(format), 0, 0, 64, 64, 0); },
+                [inner = format](auto& gl) {
+                    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GLenum(inner), 0, 0, 64, 64, 0);
+                },
                 text);
             add(
                 "glCopyTexSubImage2D", "alpha", beside,
                 [](auto& gl) { gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 64, 64); }, text,
-                [format](auto& gl) {
-                    gl.TexImage2D(GL_TEXTURE_2D, 0, format, 64, 64, 0, GL_ALPHA, GL_UNSIGNED_BYTE, nullptr);
+                [inner = format](auto& gl) {
+                    gl.TexImage2D(GL_TEXTURE_2D, 0, inner, 64, 64, 0, GL_ALPHA, GL_UNSIGNED_BYTE, nullptr);
                 });
         }
         // Section 4.2's doubling in alpha: neither beside depth, nor by a blender that leaves alpha alone.
@@ -370,10 +378,10 @@ class Probes {
               std::tuple(GL_ONE_MINUS_DST_COLOR, GL_ZERO, "GL_ONE_MINUS_DST_COLOR, GL_ZERO")})
             for (const Source& source : sources)
                 add("glDrawArrays", text, unless(p.id != "ps2" || !source.varies, "blend_pairs"), draw,
-                    source.name, [s, d, set = source.set](auto& gl) {
+                    source.name, [from = s, to = d, set = source.set](auto& gl) {
                         gl.ColorMask(1, 1, 1, 0);
                         gl.Enable(GL_BLEND);
-                        gl.BlendFunc(GLenum(s), GLenum(d));
+                        gl.BlendFunc(GLenum(from), GLenum(to));
                         set(gl);
                     });
     }
