@@ -5,79 +5,14 @@
 #include <limits>
 #include <optional>
 
-#include "truth/candidates.h"
-#include "truth/predicates.h"
+#include "truth/count_ties.h"
+#include "truth/world.h"
 #include "volume/orient.h"
 
 namespace gnomon {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// What a side hangs from, world space.
-struct SideEdge {
-    glm::vec3 from{}, to{};
-    int weight = 1;
-};
-
-std::vector<LitTriangle> trianglesOf(const Scene& scene, const glm::vec4& light) {
-    std::vector<LitTriangle> triangles;
-    triangles.reserve(triangleCount(scene));
-    for (const Object& object : scene.objects) {
-        const auto& positions = object.mesh.positions;
-        for (const glm::uvec3& t : object.mesh.triangles) {
-            LitTriangle triangle{.corners = {positions[t.x], positions[t.y], positions[t.z]}};
-            const int side =
-                orientation(triangle.corners[0], triangle.corners[1], triangle.corners[2], light);
-            if (side < 0) std::swap(triangle.corners[1], triangle.corners[2]);
-            triangle.edgeOn = side == 0;
-            triangle.casts = object.casts && (side > 0 || (side < 0 && object.twoSided));
-            triangles.push_back(triangle);
-        }
-    }
-    return triangles;
-}
-
-std::vector<SideEdge> sidesOf(const Scene& scene, const glm::vec4& light, Silhouette silhouette) {
-    std::vector<SideEdge> sides;
-    for (const Caster& caster : casters(scene)) {
-        const auto& positions = scene.objects[caster.object].mesh.positions;
-        for (const Side& side : litCaster(scene, caster, light, silhouette).sides)
-            sides.push_back({positions[side.from], positions[side.to], side.weight});
-    }
-    return sides;
-}
-
-void extend(Box& box, const glm::vec3& p) {
-    box.low = glm::min(box.low, glm::dvec3(p));
-    box.high = glm::max(box.high, glm::dvec3(p));
-}
-
-std::vector<Box> boxesOf(const std::vector<LitTriangle>& triangles) {
-    std::vector<Box> boxes(triangles.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        for (const glm::vec3& p : triangles[i].corners) extend(boxes[i], p);
-    }
-    return boxes;
-}
-
-std::vector<Box> boxesOf(const std::vector<SideEdge>& sides) {
-    std::vector<Box> boxes(sides.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        extend(boxes[i], sides[i].from);
-        extend(boxes[i], sides[i].to);
-    }
-    return boxes;
-}
-
-double diagonal(const std::vector<Box>& boxes) {
-    Box all;
-    for (const Box& box : boxes) {
-        all.low = glm::min(all.low, box.low);
-        all.high = glm::max(all.high, box.high);
-    }
-    return boxes.empty() ? 0 : glm::length(all.high - all.low);
-}
 
 }  // namespace
 
@@ -87,32 +22,9 @@ DepthTies depthTies(int bits) {
 }
 
 struct Tracer::Impl {
-    Impl(const Scene& scene, const Light& l, Silhouette silhouette)
-        : light(l.position),
-          triangles(trianglesOf(scene, l.position)),
-          sides(sidesOf(scene, l.position, silhouette)),
-          // Reach: rays beside the pixel's own ray and points beside the visible point look for what they
-          // would meet through one ray. 10^-4 of the scene holds 1/256 pixel; the sides' band of depth is
-          // longer.
-          surfaces(boxesOf(triangles), 1e-4 * diagonal(boxesOf(triangles))),
-          edges(boxesOf(sides), 1e-3 * diagonal(boxesOf(triangles))) {}
-
-    glm::dvec4 light;
-    std::vector<LitTriangle> triangles;
-    std::vector<SideEdge> sides;
-    Candidates surfaces;
-    Candidates edges;
-
-    /// Calls @p visit(index) for each triangle or side that may be near the segment from @p point to the
-    /// light, until it returns false.
-    template <class Visit>
-    void towardsLight(const Candidates& among, const glm::dvec3& point, Visit&& visit) const {
-        const glm::dvec3 way = light.w == 0 ? glm::dvec3(light) : glm::dvec3(light) - point;
-        const double length = glm::length(way);
-        if (length == 0) return;
-        among.anyOrder(point, way / length, 0, light.w == 0 ? kInfinity : length,
-                       [&](std::uint32_t index) { return visit(index) ? kInfinity : -kInfinity; });
-    }
+    Impl(const Scene& scene, const Light& light, Silhouette silhouette)
+        : world(scene, light.position, silhouette) {}
+    World world;
 };
 
 namespace {
@@ -135,10 +47,10 @@ struct Surface {
 /// it, else each of them is decided exactly.
 class Tracer::Frame {
   public:
-    Frame(const Impl& world, const View& view, const DepthTies& ties)
-        : m_world(world), m_view(view), m_ties(ties) {
-        m_stepX = view.right * (2 * view.tanHalfX / view.width / kSubpixels);
-        m_stepY = view.up * (2 * view.tanHalfY / view.height / kSubpixels);
+    Frame(const World& world, const View& view, const DepthTies& ties)
+        : m_world(world), m_view(view), m_ties(ties), m_countTies(world, view, ties) {
+        m_stepX = view.right * (2 * view.tanHalfX / view.width * kSubpixel);
+        m_stepY = view.up * (2 * view.tanHalfY / view.height * kSubpixel);
     }
 
     struct Pixel {
@@ -176,7 +88,7 @@ class Tracer::Frame {
         if (tied) {
             pixel.tie = Tie::Truth;
         } else {
-            if (surface) pixel.tie = countTie(*surface, *point, {});
+            if (surface) pixel.tie = m_countTies.at(triangle(*surface), *point, {});
             if (!quick.isSure && pixel.tie != Tie::Count)
                 pixel.tie = std::max(pixel.tie, countTieBeside(x, y));
         }
@@ -184,11 +96,6 @@ class Tracer::Frame {
     }
 
   private:
-    static constexpr double kSubpixels = 256;  ///< of the rasteriser, per pixel and axis
-    static constexpr double kLongestRise =
-        0x1p-8;                                 ///< of a side within 1/256 pixel; steeper ones are too thin
-    static constexpr double kFarBehind = 2000;  ///< in reaches: twice the scene's diagonal
-
     struct Quick {
         bool isSure = true;
         std::optional<Hit> hit{};
@@ -422,7 +329,7 @@ class Tracer::Frame {
         });
     }
 
-    /// countTie() for the surfaces that are seen within 1/256 pixel. Where a side hangs from the edge of a
+    /// Count ties of the surfaces that are seen within 1/256 pixel. Where a side hangs from the edge of a
     /// surface, a rasteriser that rounds the edge there may compare both right at the edge, where their
     /// depths meet, although the pixel's own ray misses them.
     Tie countTieBeside(double x, double y) {
@@ -440,163 +347,20 @@ class Tracer::Frame {
         for (const glm::dvec2& corner : kCorners) look(corner);
 
         Tie tie = Tie::None;
-        for (const auto& [surface, point] : seen) tie = std::max(tie, countTie(surface, point, beside));
+        for (const auto& [surface, point] : seen)
+            tie = std::max(tie, m_countTies.at(triangle(surface), point, beside));
         return tie;
     }
 
-    /// The neighbourhood of a pixel's centre in which a rasteriser may see what stands there.
-    struct Beside {
-        glm::dvec2 centre{};  ///< window position
-        double reach = 0;     ///< pixels; 0: the centre's own ray alone
-        double farthest = 0;  ///< window depth of the farthest surface that is seen there
-    };
+    static constexpr glm::dvec2 kCorners[4] = {
+        {-kSubpixel, -kSubpixel}, {kSubpixel, -kSubpixel}, {-kSubpixel, kSubpixel}, {kSubpixel, kSubpixel}};
 
-    /// How a plane's window depth rises, per pixel. Window depth is 1 - near/t, and 1/t is affine in the
-    /// window.
-    glm::dvec2 depthGradient(const glm::dvec3& normal, const glm::dvec3& onPlane) const {
-        const double scale = -2 * m_view.nearPlane / glm::dot(normal, onPlane - m_view.eye);
-        return scale * glm::dvec2(glm::dot(normal, m_view.right) * m_view.tanHalfX / m_view.width,
-                                  glm::dot(normal, m_view.up) * m_view.tanHalfY / m_view.height);
-    }
-
-    /// Whether the sides of volumes near the visible point may change what the mask holds there.
-    Tie countTie(const Surface& surface, const RayPoint& point, const Beside& beside) {
-        const LitTriangle& own = triangle(surface);
-        const glm::dvec3 corner(own.corners[0]);
-        const glm::dvec2 gradient = depthGradient(
-            glm::cross(glm::dvec3(own.corners[1]) - corner, glm::dvec3(own.corners[2]) - corner), corner);
-
-        // The longest band around the point, cut off far behind it (where it is longer than the scene).
-        const double depth = windowDepth(m_view, point.t());
-        const double length = glm::length(point.ray().direction);
-        const double longest = m_ties.countBand + (beside.reach > 0 ? kLongestRise : 0);
-        const double first = distanceAtDepth(m_view, std::max(0.0, depth - longest));
-        const double last = std::min(distanceAtDepth(m_view, depth + longest),
-                                     point.t() + kFarBehind * m_world.edges.reach() / length);
-
-        // A side crosses the band where its edge crosses the triangle between the band and the light: look
-        // along rays to the light, close enough that one of them passes within reach of any such edge.
-        m_near.clear();
-        if (m_world.sides.empty()) return Tie::None;
-        const double steps = std::ceil((last - first) * length / m_world.edges.reach());
-        const int rays = std::max(1, static_cast<int>(steps));
-        for (int i = 0; i < rays; ++i) {
-            const double t = first + (last - first) * (i + 0.5) / rays;
-            const glm::dvec3 from = point.ray().eye + t * point.ray().direction;
-            m_world.towardsLight(m_world.edges, from, [&](std::uint32_t index) {
-                m_near.push_back(index);
-                return true;
-            });
-        }
-        std::sort(m_near.begin(), m_near.end());
-        m_near.erase(std::unique(m_near.begin(), m_near.end()), m_near.end());
-
-        // The count at the point is that at the start of the band and the sides between; of them, and of
-        // those just behind the point, the near ones may be counted or not. At worst all near backs are and
-        // no near front is.
-        bool any = false;
-        int backs = 0;
-        for (const std::uint32_t index : m_near) {
-            const SideEdge& side = m_world.sides[index];
-            const Crossing c = crossSide(side, point.ray());
-            const bool isInRange = c.t >= first && c.t <= last;
-            const double rise = std::min(kLongestRise, beside.reach * glm::length(c.gradient - gradient));
-            const bool isClose = isInRange && c.miss <= glm::length(kCorners[0]) &&
-                                 std::abs(windowDepth(m_view, c.t) - depth) <= m_ties.countBand + rise;
-            const bool isNear = isClose || (beside.reach > 0 && hangsBeside(side, beside));
-            any = any || isNear;
-            if (isNear)
-                backs -= std::min(c.face, 0);
-            else if (isInRange && c.miss <= 0 && c.t < point.t())
-                backs -= c.face;
-        }
-        if (!any) return Tie::None;
-        return isCrossedMoreThan(backs, RayPoint(point.ray(), first)) ? Tie::CountIfClamped : Tie::Count;
-    }
-
-    /// Where an eye ray crosses the side of a volume.
-    struct Crossing {
-        int face = 0;             ///< the side's weight if it is a front, its negative if it is a back
-        double miss = kInfinity;  ///< pixels by which the ray misses it; 0 or less: it crosses
-        double t = 0;
-        glm::dvec2 gradient{};  ///< of the side's window depth
-    };
-
-    /// Whether the edge from which the side hangs passes through the neighbourhood and is not hidden there.
-    bool hangsBeside(const SideEdge& side, const Beside& beside) const {
-        glm::dvec2 ends[2];
-        double depths[2];
-        for (int k = 0; k < 2; ++k) {
-            const glm::dvec3 p = glm::dvec3(k == 0 ? side.from : side.to) - m_view.eye;
-            const double t = glm::dot(p, m_view.forward);
-            if (t < m_view.nearPlane) return false;
-            ends[k] = {(glm::dot(p, m_view.right) / (t * m_view.tanHalfX) + 1) / 2 * m_view.width,
-                       (glm::dot(p, m_view.up) / (t * m_view.tanHalfY) + 1) / 2 * m_view.height};
-            depths[k] = windowDepth(m_view, t);
-        }
-        const glm::dvec2 way = ends[1] - ends[0];
-        const double squared = glm::dot(way, way);
-        const double u =
-            squared > 0 ? std::clamp(glm::dot(beside.centre - ends[0], way) / squared, 0.0, 1.0) : 0;
-        return glm::distance(beside.centre, ends[0] + u * way) <= beside.reach &&
-               depths[0] + u * (depths[1] - depths[0]) <= beside.farthest + m_ties.countBand;
-    }
-
-    Crossing crossSide(const SideEdge& side, const EyeRay& ray) const {
-        const glm::dvec3 l(m_world.light), from(side.from), to(side.to), d = ray.direction;
-        const bool directional = m_world.light.w == 0;
-        const glm::dvec3 f = from - ray.eye, g = to - ray.eye;
-        const glm::dvec3 fAway = directional ? -l : from - l, gAway = directional ? -l : to - l;
-        const glm::dvec3 borders[4] = {glm::cross(g, f), glm::cross(f, fAway),
-                                       directional ? glm::dvec3(0) : glm::cross(fAway, gAway),
-                                       glm::cross(gAway, g)};
-        // Pixels by which the ray lies beyond the border that it is farthest beyond, for either winding.
-        double beyond[2] = {-kInfinity, -kInfinity};
-        for (const glm::dvec3& border : borders) {
-            const glm::dvec2 rise(2 * m_view.tanHalfX / m_view.width * glm::dot(border, m_view.right),
-                                  2 * m_view.tanHalfY / m_view.height * glm::dot(border, m_view.up));
-            const double size = glm::length(rise);
-            if (size == 0) continue;
-            const double distance = glm::dot(border, d) / size;
-            beyond[0] = std::max(beyond[0], -distance);
-            beyond[1] = std::max(beyond[1], distance);
-        }
-
-        const glm::dvec3 outward = glm::cross(to - from, directional ? l : l - from);
-        const double height = -glm::dot(outward, f), slope = glm::dot(outward, d);
-        const double t = -height / slope;
-        Crossing crossing{.face = height > 0 ? side.weight : -side.weight};
-        if (height == 0 || slope == 0 || t < m_view.nearPlane) return crossing;
-        crossing.miss = std::min(beyond[0], beyond[1]);
-        crossing.t = t;
-        crossing.gradient = depthGradient(outward, from);
-        return crossing;
-    }
-
-    /// Whether more than @p count casters' triangles lie between the point and the light; exact.
-    bool isCrossedMoreThan(int count, const RayPoint& point) {
-        m_counted.clear();
-        m_world.towardsLight(m_world.surfaces, point.position(), [&](std::uint32_t index) {
-            const LitTriangle& t = m_world.triangles[index];
-            if (t.casts && crossesExactly(t, m_world.light, point) &&
-                std::find(m_counted.begin(), m_counted.end(), index) == m_counted.end())
-                m_counted.push_back(index);
-            return static_cast<int>(m_counted.size()) <= count;
-        });
-        return static_cast<int>(m_counted.size()) > count;
-    }
-
-    static constexpr glm::dvec2 kCorners[4] = {{-1 / kSubpixels, -1 / kSubpixels},
-                                               {1 / kSubpixels, -1 / kSubpixels},
-                                               {-1 / kSubpixels, 1 / kSubpixels},
-                                               {1 / kSubpixels, 1 / kSubpixels}};
-
-    const Impl& m_world;
+    const World& m_world;
     const View& m_view;
     const DepthTies& m_ties;
     glm::dvec3 m_stepX, m_stepY;  ///< 1/256 pixel, for directions
     std::vector<Hit> m_hits{};    ///< of the last search
-    std::vector<std::uint32_t> m_near{}, m_counted{};
+    CountTies m_countTies;
 };
 
 Tracer::Tracer(const Scene& scene, const Light& light, Silhouette silhouette)
@@ -612,7 +376,7 @@ Truth Tracer::trace(const View& view, const DepthTies& ties) const {
     truth.facesAway.resize(pixels);
     truth.blocked.resize(pixels);
 
-    Frame frame(*m_impl, view, ties);
+    Frame frame(m_impl->world, view, ties);
     std::size_t i = 0;
     for (int row = 0; row < view.height; ++row) {
         for (int x = 0; x < view.width; ++x, ++i) {
