@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <utility>
 
@@ -38,7 +40,9 @@ int main(int argc, char** argv) {
         "gnomon");
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
     app.require_subcommand(1);
-    app.footer("exit status: 0 as expected, 1 a result differs, 2 bad arguments or files, 3 our own fault");
+    app.footer(
+        "exit status: 0 as expected, 1 a published figure differs or the chip can't, 2 bad arguments or "
+        "files, 3 our own fault");
     try {
         addCommands(app, status);
         // CLI11 would only say that a command is missing.
@@ -59,5 +63,8 @@ int main(int argc, char** argv) {
     } catch (const std::exception& error) {
         return fail(kOurFault, error.what());
     }
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout))
+        return fail(kBadInput, fmt::format("standard output: {}", std::strerror(errno ? errno : EIO)));
     return status;
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "app/commands.h"
@@ -72,7 +74,28 @@ void writeOutput(const std::string& file, const Image& image) {
     }
 }
 
+/// Refuses outputs that could not be written, before anything is drawn, so that all of them appear or none.
+void checkOutputs(const Options& options) {
+    std::vector<std::string> files;
+    for (const std::string& file : {options.image, options.mask, options.truth}) {
+        if (file.empty()) continue;
+        const std::filesystem::path path(file);
+        const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+        std::error_code error;
+        if (path.extension() != ".png") throw UsageError(file + ": no .png file");
+        if (std::find(files.begin(), files.end(), file) != files.end())
+            throw UsageError(file + ": named for two outputs");
+        if (!std::filesystem::is_directory(folder, error))
+            throw UsageError(file + ": no folder " + folder.string());
+        if (access(folder.c_str(), W_OK) != 0) throw UsageError(file + ": can't be written");
+        if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+            throw UsageError(file + ": is no regular file");
+        files.push_back(file);
+    }
+}
+
 int run(const Options& options) {
+    checkOutputs(options);
     const Format format = options.format.value();
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
@@ -129,13 +152,19 @@ void addRender(CLI::App& app, int& status) {
     options->methods.addTo(*command);
     options->sizes.addTo(*command);
     command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
-    command->add_option("-o,--output", options->image, "write the image here")->type_name("FILE.png");
+    command->add_option("-o,--output", options->image, "write the image here")
+        ->check(refuseEmpty)
+        ->type_name("FILE.png");
     command
         ->add_option("--mask", options->mask, "write the shadows that it shows: white lit, black in shadow")
+        ->check(refuseEmpty)
         ->type_name("FILE.png");
     command->add_option("--truth", options->truth, "write the exact shadows in the same way")
+        ->check(refuseEmpty)
         ->type_name("FILE.png");
-    command->add_option("--steps", options->steps, "write the buffers after every pass")->type_name("DIR");
+    command->add_option("--steps", options->steps, "write the buffers after every pass")
+        ->check(refuseEmpty)
+        ->type_name("DIR");
     options->fidelity.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <atomic>
 #include <cassert>
 #include <stdexcept>
 #include <string>
@@ -16,19 +15,22 @@ namespace {
 // Else OpenImageIO multiplies colours by alpha when it reads, and divides when it writes.
 constexpr const char* kKeepColours = "oiio:UnassociatedAlpha";
 
+/// A name beside @p file that no other process uses; the extension stays, it chooses the format.
+std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
+    const std::string name =
+        fmt::format(".{}.{}{}", file.stem().string(), getpid(), file.extension().string());
+    return file.parent_path() / name;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& file, std::string what) {
+    // The user knows the file by its own name only.
+    const std::string temporary = temporaryBeside(file).string();
+    for (std::size_t at; (at = what.find(temporary)) != std::string::npos;)
+        what.replace(at, temporary.size(), file.string());
     while (!what.empty() && (what.back() == '\n' || what.back() == ' ')) what.pop_back();
     for (char& c : what)
         if (c == '\n' || c == '\r') c = ' ';
     throw std::runtime_error(fmt::format("{}: {}", file.string(), what.empty() ? "unknown error" : what));
-}
-
-/// A name beside @p file that no other process or thread uses; the extension stays, it chooses the format.
-std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
-    static std::atomic<unsigned> counter = 0;
-    const std::string name =
-        fmt::format(".{}.{}-{}{}", file.stem().string(), getpid(), counter++, file.extension().string());
-    return file.parent_path() / name;
 }
 
 void writeNow(const std::filesystem::path& named, const std::filesystem::path& file, const Image& image) {

@@ -296,9 +296,13 @@ void readEntry(const std::string& file, const toml::key& tomlKey, const toml::no
 }
 
 std::string contentOf(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
+    // Before it is opened: a FIFO would block, a device might never end.
+    std::error_code error;
+    const bool isRegular = std::filesystem::is_regular_file(file, error);
+    std::ifstream in;
+    if (isRegular) in.open(file, std::ios::binary);
+    if (!isRegular || !in) throw ProfileError(file.string() + ": can't be read");
     std::ostringstream content;
-    if (!in || std::filesystem::is_directory(file)) throw ProfileError(file.string() + ": can't be read");
     content << in.rdbuf();
     return content.str();
 }

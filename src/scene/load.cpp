@@ -34,8 +34,8 @@ void checkOverrides(const SceneOverrides& overrides) {
     }
     if (overrides.eye) requireCoordinates("eye", *overrides.eye);
     if (overrides.target) requireCoordinates("target", *overrides.target);
-    if (overrides.fovDegrees && !(*overrides.fovDegrees > 0 && *overrides.fovDegrees < 180))
-        throw SceneError(fmt::format("fov: {} is not between 0 and 180 degrees", *overrides.fovDegrees));
+    if (overrides.fovDegrees && !(*overrides.fovDegrees >= 0.01f && *overrides.fovDegrees <= 179))
+        throw SceneError(fmt::format("fov: {} is not between 0.01 and 179 degrees", *overrides.fovDegrees));
     if (overrides.nearPlane && !(*overrides.nearPlane > 0 && std::isfinite(*overrides.nearPlane)))
         throw SceneError(fmt::format("near: {} is not a positive distance", *overrides.nearPlane));
     if (overrides.nearPlane && *overrides.nearPlane < kLeastNearPlane)
@@ -86,6 +86,7 @@ void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene
     }
     if (overrides.eye || overrides.target) {
         Camera camera = scene.frames.front();
+        camera.up = Camera{}.up;  // y is up, however the file's camera was rolled
         if (overrides.eye && !overrides.target) camera.target = glm::vec3(bounds.centre);
         if (overrides.eye) camera.eye = *overrides.eye;
         if (overrides.target) camera.target = *overrides.target;

@@ -34,6 +34,6 @@ std::string describe(const Dropped& dropped);
 
 /// Products of three coordinate differences must stay within float's range on the way to the screen; files
 /// beyond this are refused.
-inline constexpr double kMaxCoordinate = 1e18;
+inline constexpr double kMaxCoordinate = 1e15;
 
 }  // namespace gnomon

@@ -11,8 +11,8 @@
 namespace gnomon {
 
 /// The shadow volumes of one frame, in clip space, ready to be drawn with identity matrices: for each volume
-/// one run of triangles, counter-clockwise seen from outside, cut at the near plane and reaching to infinity
-/// (w = 0 before the projection).
+/// one run of triangles, counter-clockwise seen from outside, cut at the near plane and at the window's sides
+/// and reaching to infinity (w = 0 before the projection).
 struct FrameVolumes {
     std::vector<glm::vec4> vertices{};
     std::vector<std::size_t> begins{0};  ///< volume i is vertices [begins[i], begins[i + 1])
@@ -24,8 +24,7 @@ struct FrameVolumes {
 };
 
 /// @param lit      the lit casters; each is one volume, or one per lit triangle where it says so. Casters
-/// without any
-///                 lit triangle have no volume.
+///                 without any lit triangle have none, nor have those whose volume misses the window.
 /// @param nearCap  close the volumes that touch the near rectangle with a near cap
 FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                           const View& view, bool nearCap);

@@ -99,8 +99,8 @@ TEST_F(LoadScene, RefusesSenselessOverrides) {
     EXPECT_EQ(error({.light = glm::vec4(0, 0, 0, kNan)}), "light: coordinate is not finite");
     EXPECT_EQ(error({.eye = glm::vec3(kInf, 0, 0)}), "eye: coordinate is not finite");
     EXPECT_EQ(error({.eye = glm::vec3(1), .target = glm::vec3(1)}), "eye: the same point as the target");
-    EXPECT_EQ(error({.fovDegrees = 180.f}), "fov: 180 is not between 0 and 180 degrees");
-    EXPECT_EQ(error({.fovDegrees = kNan}), "fov: nan is not between 0 and 180 degrees");
+    EXPECT_EQ(error({.fovDegrees = 180.f}), "fov: 180 is not between 0.01 and 179 degrees");
+    EXPECT_EQ(error({.fovDegrees = kNan}), "fov: nan is not between 0.01 and 179 degrees");
     EXPECT_EQ(error({.nearPlane = 0.f}), "near: 0 is not a positive distance");
     EXPECT_EQ(error({.nearPlane = 1e-40f}), "near: 1e-40 is less than 1e-12");
     EXPECT_EQ(error({.nearPlane = kInf}), "near: inf is not a positive distance");

@@ -53,7 +53,7 @@ TEST_F(ObjFile, NamesLineOfWhatIsWrong) {
     EXPECT_EQ(errorOfFile("a.obj", v + "v 1 nan 2\n"), "a.obj:4: coordinate is not finite");
     EXPECT_EQ(errorOfFile("a.obj", v + "v 1 1e400 2\n"), "a.obj:4: coordinate is not finite");
     EXPECT_EQ(errorOfFile("a.obj", v + "v 1 2 1e19\n"),
-              "a.obj:4: coordinate 1e+19 is too large (at most 1e+18)");
+              "a.obj:4: coordinate 1e+19 is too large (at most 1e+15)");
     EXPECT_EQ(errorOfFile("a.obj", v + "v 1 2\n"), "a.obj:4: vertex has 2 coordinates, not 3");
     EXPECT_EQ(errorOfFile("a.obj", v), "a.obj: no triangle");
     EXPECT_EQ(errorOfFile("a.obj", v + "f 1 1 2\n"), "a.obj: no triangle left");
@@ -270,7 +270,7 @@ TEST_F(GltfFile, WithABrokenReferenceIsRefused) {
         {R"("nodes": [{"mesh": 0}])", "a.gltf: no scene, so nothing to show"},
         {R"("scenes": [{"nodes": [0]}], "nodes": [{}])", "a.gltf: no triangle"},
         {R"("scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0, "scale": [1e30, 1, 1]}])",
-         "a.gltf: mesh 'meshes[0]', vertex 1: coordinate 1e+30 is too large (at most 1e+18)"},
+         "a.gltf: mesh 'meshes[0]', vertex 1: coordinate 1e+30 is too large (at most 1e+15)"},
         {R"("scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], "extensionsRequired": ["KHR_draco_mesh_compression"])",
          "a.gltf: needs the extension KHR_draco_mesh_compression, unknown here"},
         {R"("scenes": [{"nodes": "x"}], "nodes": [{"mesh": 0}])", "a.gltf: 'nodes' is no array"},

@@ -107,7 +107,7 @@ TEST_F(SceneFile, NamesFileAndLineOfErrors) {
         {"\"a box\"", "\"a box", "s.toml:1: "},
         {"position = [1, 5, 2]", "position = [1, 5]", "s.toml:3: 'position' must be an array of 3 numbers"},
         {"position = [1, 5, 2]", "position = [1, nan, 2]",
-         "s.toml:3: 'position' must be from -1e+18 to 1e+18"},
+         "s.toml:3: 'position' must be from -1e+15 to 1e+15"},
         {"position = [1, 5, 2]", "position = [1, \"5\", 2]", "s.toml:3: 'position' must be a number"},
         {"position = [1, 5, 2]", "direction = [0, 0, 0]", "s.toml:3: 'direction' must not be zero"},
         {"position = [1, 5, 2]", "", "s.toml:2: a light needs either position or direction"},
