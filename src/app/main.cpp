@@ -44,6 +44,11 @@ int main(int argc, char** argv) {
         "exit status: 0 as expected, 1 a published figure differs or the chip can't, 2 bad arguments or "
         "files, 3 our own fault");
     try {
+        // CLI11 drops empty words, and an option with them.
+        for (int i = 1; i < argc; ++i)
+            if (argv[i][0] == 0)
+                throw gnomon::UsageError(
+                    fmt::format("{}: an empty argument", i > 1 ? argv[i - 1] : "gnomon"));
         addCommands(app, status);
         // CLI11 would only say that a command is missing.
         const auto isNamed = [&](const CLI::App* command) { return command->get_name() == argv[1]; };

@@ -140,19 +140,15 @@ std::vector<Profile> ProfileOption::load(const std::vector<std::string>& fallbac
     return profiles;
 }
 
-std::string refuseEmpty(const std::string& word) {
-    return word.empty() ? "is empty" : "";
-}
-
 void SceneOption::addTo(CLI::App& app, const std::string& help) {
     app.add_option("scene,--scene", ids, help)->delimiter(',')->type_name("ID|FILE");
     const std::string group = "Light and camera (y up; default: from the file, else around the mesh)";
     app.add_option("--light", light, "x,y,z of a point light, or x,y,z,0 towards one at infinity")
         ->group(group);
-    app.add_option("--eye", eye, "x,y,z")->check(refuseEmpty)->check(refuseEmpty)->group(group);
-    app.add_option("--target", target, "x,y,z that the eye looks at")->check(refuseEmpty)->group(group);
-    app.add_option("--fov", fov, "vertical field of view, degrees")->check(refuseEmpty)->group(group);
-    app.add_option("--near", near, "distance of the near plane")->check(refuseEmpty)->group(group);
+    app.add_option("--eye", eye, "x,y,z")->group(group);
+    app.add_option("--target", target, "x,y,z that the eye looks at")->group(group);
+    app.add_option("--fov", fov, "vertical field of view, degrees")->group(group);
+    app.add_option("--near", near, "distance of the near plane")->group(group);
     app.add_option("--ground", ground, "add a floor below a mesh: yes or no (default: yes, but no for glTF)")
         ->check(CLI::IsMember({"yes", "no"}))
         ->group(group);

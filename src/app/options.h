@@ -33,9 +33,6 @@ T theOnly(const std::string& flag, std::vector<T> values) {
 /// @throws UsageError if there is none
 std::filesystem::path dataFolder(const std::string& name);
 
-/// A check for options whose value must not be "".
-std::string refuseEmpty(const std::string& word);
-
 /// --format
 struct FormatOption {
     std::string word = "text";

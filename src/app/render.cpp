@@ -152,19 +152,13 @@ void addRender(CLI::App& app, int& status) {
     options->methods.addTo(*command);
     options->sizes.addTo(*command);
     command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
-    command->add_option("-o,--output", options->image, "write the image here")
-        ->check(refuseEmpty)
-        ->type_name("FILE.png");
+    command->add_option("-o,--output", options->image, "write the image here")->type_name("FILE.png");
     command
         ->add_option("--mask", options->mask, "write the shadows that it shows: white lit, black in shadow")
-        ->check(refuseEmpty)
         ->type_name("FILE.png");
     command->add_option("--truth", options->truth, "write the exact shadows in the same way")
-        ->check(refuseEmpty)
         ->type_name("FILE.png");
-    command->add_option("--steps", options->steps, "write the buffers after every pass")
-        ->check(refuseEmpty)
-        ->type_name("DIR");
+    command->add_option("--steps", options->steps, "write the buffers after every pass")->type_name("DIR");
     options->fidelity.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });

@@ -143,6 +143,13 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"FrameOfPlanBeyondThePath", {"plan", "--frame", "60"}, "0 to 59"},
         BadArguments{"FramesNegative", {"matrix", "--frames", "-1"}, "'-1'"},
         BadArguments{"FramesBackwards", {"matrix", "--frames", "5-3"}, "'5-3'"},
+        BadArguments{"EmptyLight", {"render", "boxes", "--light", ""}, "--light"},
+        BadArguments{"EmptyOutput", {"render", "boxes", "-o", ""}, "-o"},
+        BadArguments{"OutputThatIsNoPng", {"render", "boxes", "--mask", "mask.jpg"}, "mask.jpg"},
+        BadArguments{"OutputNamedTwice", {"render", "boxes", "-o", "a.png", "--mask", "a.png"}, "a.png"},
+        BadArguments{
+            "OutputInNoFolder", {"render", "boxes", "-o", "a.png", "--mask", "nowhere/a.png"}, "nowhere"},
+        BadArguments{"HairlineFieldOfView", {"render", "boxes", "--fov", "1e-6"}, "0.01"},
         BadArguments{"FramesBeyondThePath", {"matrix", "--frames", "60-80"}, "0 to 59"},
         BadArguments{"MissingFile", {"matrix", "/nowhere/mesh.ply"}, "/nowhere/mesh.ply"},
         BadArguments{

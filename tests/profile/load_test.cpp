@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -174,7 +175,11 @@ TEST(LoadProfile, AllowsProductOfSetsAndListedPairs) {
 
 // A file without lines to speak of: "file: what".
 TEST(LoadProfileErrors, NameFileThatCantBeRead) {
-    for (const std::string& file : {std::string("/nowhere/chip.toml"), testing::TempDir()}) {
+    // A FIFO that nobody writes would block for ever.
+    const std::string fifo = std::filesystem::path(testing::TempDir()) / "a_fifo.toml";
+    std::filesystem::remove(fifo);
+    ASSERT_EQ(mkfifo(fifo.c_str(), 0600), 0);
+    for (const std::string& file : {std::string("/nowhere/chip.toml"), testing::TempDir(), fifo}) {
         try {
             loadProfile(file);
             ADD_FAILURE() << file << " was read";

@@ -78,6 +78,13 @@ TEST_F(LoadScene, TakesCameraFromOverrides) {
     EXPECT_NEAR(scene.frames[0].nearPlane, 0.5, 0.01);
     EXPECT_GT(scene.frames[0].nearPlane, 0.5);
 
+    // The file's own camera may lie on its side; an eye that is placed by hand has y up.
+    const auto rolled = write("rolled.toml",
+                              "title = 'rolled'\n[light]\nposition = [0, 9, 0]\n[camera]\neye = [0, 1, 9]\n"
+                              "target = [0, 0, 0]\nup = [1, 0, 0]\nnear = 1\n[[objects]]\nshape = 'box'\n");
+    EXPECT_EQ(loadScene(rolled).frames[0].up, glm::vec3(1, 0, 0));
+    EXPECT_EQ(loadScene(rolled, {.eye = glm::vec3(0, 1, 8)}).frames[0].up, glm::vec3(0, 1, 0));
+
     const Camera other = loadScene(m_mesh, {.fovDegrees = 90.f, .nearPlane = 0.5f}).frames[0];
     EXPECT_EQ(other.fovDegrees, 90);
     EXPECT_EQ(other.nearPlane, 0.5f);
