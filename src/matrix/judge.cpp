@@ -25,15 +25,14 @@ Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int mas
             const std::size_t i = std::size_t(y) * truth.width + x;
             const bool countTied =
                 truth.tie[i] == Tie::Count || (clamps && truth.tie[i] == Tie::CountIfClamped);
-            // Faces away: dark whatever the mask says, so a tie of the count alone decides nothing.
-            if (countTied && truth.facesAway[i]) continue;
+            // Dark whatever the mask says, so neither a tie of the count nor the mask decides anything.
+            if (truth.facesAway[i] && truth.tie[i] != Tie::Truth) continue;
             if (countTied || truth.tie[i] == Tie::Truth) {
                 ++(countTied ? out.tiedCount : out.tiedTruth);
                 out.pixels[i] = PixelVerdict::Tied;
                 continue;
             }
-            const bool without = truth.facesAway[i] && !truth.blocked[i];
-            if (without || maskShadow[i] == truth.blocked[i]) continue;
+            if (maskShadow[i] == truth.blocked[i]) continue;
             const bool edge = nearBoundary(truth, x, y, maskDivisor);
             ++(edge ? out.edge : out.interior);
             out.pixels[i] = edge ? PixelVerdict::WrongEdge : PixelVerdict::WrongInterior;

@@ -19,10 +19,10 @@ struct Judgement {
     int wrong() const { return edge + interior; }
 };
 
-/// Compares pixel by pixel. A mask says whether a volume holds the point just in front of the surface, so it
-/// must equal Truth::blocked. Where the seen side faces away from the light, the lit pass adds nothing and
-/// the pixel is in shadow whatever the mask says; so there a pixel is right, and counts as no tie, if nothing
-/// blocks it (an open one-sided caster) or if its count is tied.
+/// Compares the shadows that a frame shows with truth, pixel by pixel. A mask says whether a volume holds the
+/// point just in front of the surface, so it must equal Truth::blocked. Where the seen side faces away from
+/// the light, the lit pass adds nothing and the pixel is in shadow whatever the mask says: it is right, and
+/// no tie of the count.
 ///
 /// @param maskShadow   per pixel: the mask calls it a shadow
 /// @param maskDivisor  a wrong pixel within one mask pixel of the true boundary is an edge pixel

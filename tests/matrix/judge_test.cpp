@@ -118,15 +118,11 @@ TEST(Judge, WantsBackgroundLit) {
     EXPECT_EQ(wrongOf(judgeOf(truthOf({"--##"}), maskOf({".###"}), 1)), (Wrong{1, 0}));
 }
 
-// The lit pass adds nothing to a side that faces away.
-TEST(Judge, ExcusesMaskWhereSeenSideFacesAwayUnblocked) {
+// The lit pass adds nothing to a side that faces away, so it is in shadow whatever the mask says.
+TEST(Judge, TakesSeenSideThatFacesAwayForShadow) {
     EXPECT_EQ(wrongOf(judgeOf(truthOf({".aa."}), maskOf({".#.."}), 1)), (Wrong{0, 0}));
-}
-
-// Inside a closed caster a mask that misses the volume is a leak, though the picture doesn't show it.
-TEST(Judge, HoldsMaskToVolumeWhereSeenSideFacesAwayBlocked) {
-    EXPECT_EQ(wrongOf(judgeOf(truthOf({"AAAAA"}), maskOf({"##.##"}), 1)), (Wrong{0, 1}));
-    EXPECT_EQ(wrongOf(judgeOf(truthOf({"AAAAA"}), maskOf({"#####"}), 1)), (Wrong{0, 0}));
+    EXPECT_EQ(wrongOf(judgeOf(truthOf({"AAAAA"}), maskOf({"##.##"}), 1)), (Wrong{0, 0}));
+    EXPECT_EQ(wrongOf(judgeOf(truthOf({"#####"}), maskOf({"##.##"}), 1)), (Wrong{0, 1}));
 }
 
 TEST(Judge, CountsTiesByKindAndNeverAsWrong) {
