@@ -19,8 +19,8 @@ struct MatrixRequest {
     std::vector<Axes> methods{};
     std::vector<Scene> scenes{};
     std::vector<Size> sizes{};
-    /// Frames of the camera path; those beyond a scene's path are left out. Empty: four, a quarter of the
-    /// path apart.
+    /// Frames of the camera path; those beyond a scene's path are left out. Empty: twelve, a twelfth of
+    /// the path apart.
     std::vector<int> frames{};
     int jobs = 1;
     int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
