@@ -224,7 +224,7 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
 
     const auto arithmeticList = wordsOf<Arithmetic>("--arithmetic", arithmetics, 3);
     const auto countList = wordsOf<Count>("--count", counts, 2);
-    const auto silhouetteList = wordsOf<Silhouette>("--silhouette", silhouettes, 2);
+    const auto silhouetteList = wordsOf<Silhouette>("--silhouette", silhouettes, kSilhouettes);
     const auto applyList = wordsOf<Apply>("--apply", applies, 2);
     std::vector<int> divisors;
     for (const std::string& word : maskScales) divisors.push_back(divisorOf(word));

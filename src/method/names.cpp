@@ -27,7 +27,8 @@ const std::string& name(Count v) {
     return pick(names, v);
 }
 const std::string& name(Silhouette v) {
-    static const std::array<std::string, 2> names{"winding", "per-triangle"};
+    static const std::array<std::string, kSilhouettes> names{"triangular", "visible", "manifold", "winding",
+                                                             "per-triangle"};
     return pick(names, v);
 }
 const std::string& name(Apply v) {

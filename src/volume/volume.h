@@ -10,8 +10,18 @@ namespace gnomon {
 
 /// How the sides of shadow volumes are found.
 enum class Silhouette {
-    Winding,      ///< signed edge counter over any mesh (Aldridge and Woods, section 2.4)
+    Triangular,  ///< edges toggled by each lit triangle (Kolivand and Sunar 2011, section 2.1)
+    Visible,     ///< edges with exactly one lit triangle (Kolivand and Sunar 2011, section 2.2)
+    Manifold,    ///< edges between a lit and an unlit triangle (Crow 1977, Bergeron 1986); two-manifolds only
+    Winding,     ///< signed edge counter over any mesh (Aldridge and Woods, section 2.4)
     PerTriangle,  ///< one volume per triangle (brute force; Roettger et al. 2002, section 3.2)
+};
+constexpr int kSilhouettes = 5;
+
+/// Which triangles of a caster close its volume, near and far (Aldridge and Woods, section 2).
+enum class CapFaces {
+    Lit,   ///< those that face the light: right for any mesh
+    Away,  ///< those that face away: a smaller volume that starts behind the caster; right for closed meshes
 };
 
 /// One connected piece of a caster: the unit that is drawn fronts before backs.
