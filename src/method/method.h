@@ -9,24 +9,39 @@
 
 namespace gnomon {
 
-enum class Store { None, Stencil, Alpha, Screen };
-enum class Arithmetic { Count, Double, Halve };
-enum class Count { Zpass, ZpassCap };
+enum class Store { None, Stencil, Alpha, Screen, Counter, DepthMap };
+enum class Arithmetic { Count, Double, Halve, Parity };
+enum class Count { Zpass, ZpassCap, Zfail, ZpPlus, PlusPlusZp, AtomicZp };
 enum class Apply { Blend, Texture };
 enum class Shade { Black, Ambient, Attenuated };
+enum class Start { Zero, Middle, Bias };
+enum class Overflow { Either, Wrap, Saturate };
+constexpr int kStores = 6, kArithmetics = 4, kCounts = 6, kApplies = 2, kShades = 3, kStarts = 3,
+              kOverflows = 3, kCapFaces = 2;
 
 /// A method as a point on orthogonal axes; the defaults are those of the table of named methods.
 struct Axes {
     Store store = Store::Stencil;
     Arithmetic arithmetic = Arithmetic::Count;
     int levels = 2;  ///< nesting depth that Double resolves; 0 for other arithmetic
-    Count count = Count::Zpass;
+    gnomon::Count count = gnomon::Count::Zpass;
     Silhouette silhouette = Silhouette::Winding;
     int maskDivisor = 1;  ///< 1, 2, 4: mask scale 1, 1/2, 1/4
     Apply apply = Apply::Blend;
     Shade shade = Shade::Attenuated;
+
+    // Options of some points.
+    Start start = Start::Zero;              ///< Count in a stencil: 0, its middle, or the volumes that hold the eye
+    Overflow overflow = Overflow::Either;   ///< Count in a stencil
+    CapFaces capFaces = CapFaces::Lit;
+    Clip clip = Clip::Frustum;
+    float offset = 0;     ///< Zfail: volumes start this far behind their caster, world units
+    int mapSize = 0;      ///< DepthMap: texels per side; 0 for other stores
+    float mapBias = 0;    ///< DepthMap: of the map's depths, 0..1
     bool operator==(const Axes&) const = default;
 };
+constexpr int kDefaultMapSize = 1024;
+constexpr float kDefaultMapBias = 0.002f;
 
 /// A row of the table of named methods.
 struct NamedMethod {
@@ -50,11 +65,24 @@ std::string methodId(const Axes& axes);
 /// Why @p axes contradict each other ("halve needs a colour or alpha store"); nothing if they are a method.
 std::optional<std::string> contradiction(const Axes& axes);
 
-/// What a plan must know of the frame: how many volumes there are to draw.
-struct FrameShape {
-    int volumes = 0;
-    int width = 0, height = 0;  ///< window, pixels
+/// What a plan must know of one light.
+struct LightShape {
+    int volumes = 0;      ///< to draw
+    int holdingEye = 0;   ///< that hold the eye, with their weights
+    bool directional = false;
 };
+
+/// What a plan must know of the frame.
+struct FrameShape {
+    int width = 0, height = 0;  ///< window, pixels
+    std::vector<LightShape> lights{};
+};
+
+/// The parts of volumes that a count draws.
+Parts partsOf(Count count);
+
+/// How volumes are cut for a plan. @p depthClamp: the chip's
+CutStyle cutStyleOf(const Axes& axes, bool depthClamp);
 
 /// The plan of one frame.
 /// @pre !contradiction(axes)
@@ -64,6 +92,9 @@ struct FrameShape {
 /// plan; ask missing().
 Plan planFrame(const Axes& axes, const FrameShape& frame, const Profile& profile);
 
+/// Axes without what means nothing to their store: levels of anything but Double, all but the shade of none.
+Axes normalised(Axes axes);
+
 /// The methods among which a chip's path is chosen, best first: stencil, alpha, screen, screen with texture.
 std::vector<Axes> pathCandidates();
 
@@ -72,6 +103,10 @@ const std::string& name(Arithmetic);
 const std::string& name(Count);
 const std::string& name(Silhouette);
 const std::string& name(Apply);
+const std::string& name(Start);
+const std::string& name(Overflow);
+const std::string& name(CapFaces);
+const std::string& name(Clip);
 const std::string& name(Shade);
 std::string maskScaleName(int divisor);  ///< "1", "1/2", "1/4"
 

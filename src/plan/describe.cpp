@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cctype>
 
@@ -23,31 +24,60 @@ std::string ops(const StencilSide& side) {
 }
 
 std::string stencilState(const Stencil& s) {
-    const std::string test = fmt::format("stencil {} {}, op ", upper(name(s.function)), s.reference);
+    const std::string test = fmt::format(
+        "stencil {} {}{}{}{}, op ", upper(name(s.function)), s.reference,
+        s.minusBlockers ? " minus the atomic count" : "",
+        s.readMask == ~0u ? "" : fmt::format(" & {:#x}", s.readMask),
+        s.writeMask == ~0u ? "" : fmt::format(", write mask {:#x}", s.writeMask));
     if (s.front == s.back) return test + ops(s.front);
     return fmt::format("{}front {} back {}", test, ops(s.front), ops(s.back));
 }
 
 }  // namespace
 
-std::string describeState(const Pass& pass) {
+namespace {
+
+std::string describeClear(const Pass& pass) {
+    std::vector<std::string> parts;
     const auto& c = pass.colour;
-    if (pass.kind == PassKind::Clear) {
-        std::string text;
-        if (pass.write.red)
-            text += pass.clearsToBackground ? "colour of the background" : fmt::format("colour {:.4g}", c.r);
-        if (pass.write.alpha) text += fmt::format("{}alpha {:.4g}", text.empty() ? "" : ", ", c.a);
-        return text + (pass.clearsDepth ? ", depth 1" : "") + (pass.clearsStencil ? ", stencil 0" : "");
-    }
-    if (pass.kind == PassKind::Copy) {
-        return pass.texture == MaskTexture::Alpha       ? "alpha to ALPHA"
-               : pass.texture == MaskTexture::Intensity ? "colour to INTENSITY"
-                                                        : "colour to RGB";
-    }
-    std::string text;
-    const auto add = [&](const std::string& part) { text += (text.empty() ? "" : ", ") + part; };
+    if (pass.write.red)
+        parts.push_back(pass.clearsToBackground ? "colour of the background" : fmt::format("colour {:.4g}", c.r));
+    if (pass.write.alpha) parts.push_back(fmt::format("alpha {:.4g}", c.a));
+    if (pass.clearsDepth) parts.push_back("depth 1");
+    if (pass.stencilIsBlockers)
+        parts.push_back("stencil to the count of one pixel");
+    else if (pass.clearsStencil)
+        parts.push_back(fmt::format("stencil {}{}", pass.stencilValue,
+                                    pass.stencil.writeMask == ~0u
+                                        ? ""
+                                        : fmt::format(" in mask {:#x}", pass.stencil.writeMask)));
+    return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string describeCopy(const Pass& pass) {
+    return pass.texture == MaskTexture::Alpha       ? "alpha to ALPHA"
+           : pass.texture == MaskTexture::Intensity ? "colour to INTENSITY"
+                                                    : "colour to RGB";
+}
+
+const char* describeTarget(const Pass& pass) {
+    return pass.target == Target::Mask       ? "mask's viewport"
+           : pass.target == Target::DepthMap ? "depth map's viewport"
+           : pass.target == Target::OnePixel ? "viewport 1x1"
+                                             : nullptr;
+}
+
+}  // namespace
+
+std::string describeState(const Pass& pass) {
+    if (pass.kind == PassKind::Clear) return describeClear(pass);
+    if (pass.kind == PassKind::Copy) return describeCopy(pass);
+    std::vector<std::string> parts;
+    const auto add = [&](const std::string& part) { parts.push_back(part); };
+    if (const char* target = describeTarget(pass)) add(target);
     if (pass.depthTest)
         add(fmt::format("depth {}{}", upper(name(pass.depthFunction)), pass.depthWrite ? " write" : ""));
+    if (pass.depthClamp) add("depth clamp");
     if (pass.stencil.enabled) add(stencilState(pass.stencil));
     if (pass.blend.enabled) {
         if (pass.blend.equation == BlendEquation::Min || pass.blend.equation == BlendEquation::Max)
@@ -56,11 +86,18 @@ std::string describeState(const Pass& pass) {
             add(fmt::format("blend {} {}", upper(name(pass.blend.source)),
                             upper(name(pass.blend.destination))));
     }
-    if (pass.texture != MaskTexture::None) add("mask texture");
-    if (pass.write.any() && pass.kind != PassKind::Scene && pass.texture == MaskTexture::None)
-        add(pass.write.red ? fmt::format("colour {:.3g}", c.r) : fmt::format("alpha {:.3g}", c.a));
+    if (pass.program == Program::CountFaces)
+        add(fmt::format("program: 16 bits of RG, front {:+d} back {:+d}", pass.frontCount, -pass.frontCount));
+    if (pass.program == Program::ShadeCount) add("program: by the 16 bits of RG");
+    if (pass.drawn == Drawn::Silhouettes) add("geometry shader with an atomic counter");
+    if (pass.shading == Shading::Mask) add("depth map compared");
+    if (pass.texture != MaskTexture::None) add(pass.frameTexture ? "frame texture" : "mask texture");
+    if (pass.write.any() && pass.kind != PassKind::Scene && pass.texture == MaskTexture::None &&
+        pass.program == Program::None)
+        add(pass.write.red ? fmt::format("colour {:.3g}", pass.colour.r)
+                           : fmt::format("alpha {:.3g}", pass.colour.a));
     add("write " + channels(pass.write));
-    return text;
+    return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 }  // namespace gnomon

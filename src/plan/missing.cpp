@@ -56,7 +56,8 @@ std::string listOf(const std::set<BlendFactor>& factors) {
 
 /// A draw whose fragments all have one grey source colour.
 bool constantGrey(const Pass& pass) {
-    const bool constant = pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle;
+    const bool constant = (pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle) &&
+                          pass.program == Program::None;
     return constant && pass.texture == MaskTexture::None && pass.colour.r == pass.colour.g &&
            pass.colour.g == pass.colour.b;
 }
@@ -77,14 +78,14 @@ void needSurface(Wants& wants, const Profile& p, const Plan& plan) {
                            p.frameBytes));
 }
 
-void needTexture(Wants& wants, const Profile& p, const Plan& plan) {
+void needTexture(Wants& wants, const Profile& p, int width, int height, const std::string& what) {
     wants.need(p.textureUnits > 0, "texture_units", "textures");
     if (p.textureUnits == 0) return;
-    const int longest = std::max(plan.textureWidth, plan.textureHeight);
-    const int shortest = std::min(plan.textureWidth, plan.textureHeight);
-    const std::string size = fmt::format("{}x{}", plan.textureWidth, plan.textureHeight);
+    const int longest = std::max(width, height);
+    const int shortest = std::min(width, height);
+    const std::string size = fmt::format("{}x{}", width, height);
     wants.need(longest <= p.maxTextureSize, "max_texture_size",
-               fmt::format("a texture of {} for the mask ({} at most)", size, p.maxTextureSize));
+               fmt::format("a texture of {} for {} ({} at most)", size, what, p.maxTextureSize));
     wants.need(!p.maxTextureAspect || longest <= p.maxTextureAspect * shortest, "max_texture_aspect",
                fmt::format("a texture of {} ({}:1 at most)", size, p.maxTextureAspect));
     const bool powers = std::has_single_bit(unsigned(longest)) && std::has_single_bit(unsigned(shortest));
@@ -92,7 +93,25 @@ void needTexture(Wants& wants, const Profile& p, const Plan& plan) {
                "textures whose sides are not powers of two");
 }
 
+void needDepthMap(Wants& wants, const Profile& p, const Plan& plan) {
+    wants.need(p.depthTextures, "depth_textures", "a depth buffer as a texture");
+    if (p.depthTextures) needTexture(wants, p, plan.mapSize, plan.mapSize, "the depth map");
+}
+
+void needPrograms(Wants& wants, const Profile& p, const Pass& pass) {
+    const bool fetches = pass.program != Program::None;
+    const bool extrudes = pass.drawn == Drawn::Silhouettes;
+    wants.need(p.shaders || !(fetches || extrudes || pass.shading == Shading::Mask), "shaders",
+               "programs for vertices and fragments");
+    wants.need(p.framebufferFetch || !fetches, "framebuffer_fetch",
+               "a fragment program that reads the frame buffer");
+    wants.need(p.geometryShaders || !extrudes, "geometry_shaders", "geometry shaders with adjacency");
+    wants.need(p.atomicCounters || !extrudes, "atomic_counters", "atomic counters");
+    wants.need(p.depthClamp || !pass.depthClamp, "depth_clamp", "depth clamp");
+}
+
 void needPass(Wants& wants, const Profile& p, const Pass& pass) {
+    needPrograms(wants, p, pass);
     const bool usesDepth = pass.depthTest || pass.depthWrite || pass.clearsDepth;
     wants.need(!usesDepth || p.depth, "depth_bits", "a depth buffer");
     wants.need(!pass.depthTest || !p.depth || p.depthFunctions.contains(pass.depthFunction),
@@ -183,13 +202,17 @@ std::vector<Missing> missing(const Profile& profile, const Plan& plan) {
     Wants wants(profile);
     needSurface(wants, profile, plan);
     for (const Pass& pass : plan.passes) {
-        if (pass.kind == PassKind::Copy) needTexture(wants, profile, plan);
+        if (pass.kind == PassKind::Copy && pass.frameTexture)
+            needTexture(wants, profile, plan.frameTextureWidth, plan.frameTextureHeight, "the frame so far");
+        else if (pass.kind == PassKind::Copy)
+            needTexture(wants, profile, plan.textureWidth, plan.textureHeight, "the mask");
+        if (pass.target == Target::DepthMap) needDepthMap(wants, profile, plan);
         needPass(wants, profile, pass);
     }
     if (plan.smallestMaskBits > 0 && !profile.colourFormats.empty()) {
         const ColourFormat& f = profile.colourFormats.front();
         // A mask made in alpha stands there, or goes from there into a texture.
-        const bool inAlpha = plan.maskPlace == MaskPlace::Alpha ||
+        const bool inAlpha = plan.maskPlace() == MaskPlace::Alpha ||
                              std::any_of(plan.passes.begin(), plan.passes.end(),
                                          [](const Pass& pass) { return pass.texture == MaskTexture::Alpha; });
         const int bits = inAlpha ? profile.alphaBits : std::min({f.red, f.green, f.blue});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "profile/profile.h"
+#include "volume/volume_cut.h"
 
 namespace gnomon {
 
@@ -14,7 +15,7 @@ namespace gnomon {
 enum class PassKind {
     Clear,      ///< the buffers; counts as nothing
     Scene,      ///< all surfaces of the scene
-    Volume,     ///< faces of one shadow volume, or of all
+    Volume,     ///< faces of one shadow volume, or of all; or casters, to count what hides the eye
     Rectangle,  ///< a rectangle over the whole window
     Copy,       ///< frame buffer to texture
 };
@@ -25,9 +26,35 @@ enum class Shading {
     Lit,      ///< ambient and diffuse, as without shadows
     Diffuse,  ///< the light's part alone: black where the seen side faces away
     Ambient,  ///< the part that needs no light
+    Black,
+    HalfDiffuse,  ///< half of Diffuse, rounded down
+    RestDiffuse,  ///< what that leaves of Diffuse
+    Mask,         ///< no colour of its own: white where the depth map shows no caster before it
 };
 
 enum class Faces { Front, Back, Both };
+
+/// What a volume pass draws.
+enum class Drawn {
+    Volumes,     ///< the parts of volumes, cut by the host
+    Blockers,    ///< the casters' lit triangles between light and eye, onto one pixel: a view of 1x1 pixels
+    Silhouettes  ///< volumes that a geometry shader makes of the casters' edges, counting what hides the eye
+};
+
+/// Fragment programs, on chips that have them.
+enum class Program {
+    None,
+    CountFaces,  ///< 16 bits of red and green: plus or minus 1, by the facing; wraps
+    ShadeCount,  ///< multiplies the source colour by 1 where that count is 0, else by the shadow's share
+};
+
+/// The buffer that a pass draws to.
+enum class Target {
+    Window,
+    Mask,      ///< the window's lower left corner, as large as the mask
+    DepthMap,  ///< one face of the light's depth map
+    OnePixel,  ///< the window's first pixel
+};
 
 /// Texture formats into which a mask is copied.
 enum class MaskTexture {
@@ -56,7 +83,9 @@ struct Stencil {
     bool enabled = false;
     Compare function = Compare::Always;
     int reference = 0;
+    unsigned readMask = ~0u, writeMask = ~0u;
     StencilSide front{}, back{};  ///< equal unless the chip has two-sided stencil
+    bool minusBlockers = false;   ///< what hides the eye, once counted, is subtracted from the reference
     bool operator==(const Stencil&) const = default;
 };
 
@@ -79,26 +108,45 @@ struct Pass {
     std::string label{};  ///< what it does to the mask or the picture, for people
 
     // Geometry
+    int light = 0;                    ///< index into the frame's lights
     Shading shading = Shading::None;  ///< Scene
+    Drawn drawn = Drawn::Volumes;     ///< Volume
+    Parts parts{};                    ///< Volume: of Drawn::Volumes
     int volume = kAllVolumes;         ///< Volume: index into the frame's volumes
     Faces faces = Faces::Both;        ///< Volume: the rest is culled
     glm::vec4 colour{1};  ///< constant source colour of volumes and rectangles; the value of a clear
 
     // State
     bool clearsDepth = false, clearsStencil = false;  ///< Clear
+    int stencilValue = 0;             ///< Clear: what the stencil is cleared to
+    bool stencilIsBlockers = false;   ///< Clear: to what hides the eye, as counted, instead
     bool clearsToBackground = false;  ///< Clear: red, green and blue are the scene's background
+    bool blackBackdrop = false;       ///< Scene over a mask: what lies at infinity is black
     bool depthTest = false, depthWrite = false;
     Compare depthFunction = Compare::Less;
+    bool depthClamp = false;  ///< what lies before the near plane is drawn at depth 0
     ColourWrite write = kWriteColour;
     Blend blend{};
     Stencil stencil{};
     MaskTexture texture =
         MaskTexture::None;       ///< Copy: the format to copy into; Rectangle: the mask is mapped onto it
-    bool lowResolution = false;  ///< draws into the mask's viewport instead of the window
+    bool frameTexture = false;   ///< Copy, Rectangle: the frame so far instead of the mask
+    Target target = Target::Window;
+    int mapFace = 0;  ///< Target::DepthMap: 0 for a directional light, 0 to 5 for a point light
+    Program program = Program::None;
+    int frontCount = 1;  ///< CountFaces: what a front face adds; a back face subtracts it
 };
 
 /// Where a finished mask can be read, and how.
-enum class MaskPlace { None, Stencil, Colour, Alpha, Texture };
+enum class MaskPlace { None, Stencil, Colour, Alpha, Texture, Counter };
+
+/// Where the finished mask of a light stands, and when.
+struct MaskTap {
+    std::size_t after = 0;  ///< this many passes
+    int light = 0;
+    MaskPlace place = MaskPlace::None;
+    Stencil test{};  ///< Stencil: the test that a shadow passes
+};
 
 /// The list of passes that draw one frame with one method, and what is needed to judge it. A value: nothing
 /// here is tied to OpenGL, to a scene, or to a chip beyond the choices that were made for it.
@@ -107,12 +155,18 @@ struct Plan {
     int width = 0, height = 0;                ///< window, pixels
     int maskWidth = 0, maskHeight = 0;        ///< viewport of the mask, pixels
     int textureWidth = 0, textureHeight = 0;  ///< of the mask's texture, texels; 0 without one
+    int frameTextureWidth = 0, frameTextureHeight = 0;  ///< of the frame so far, texels; 0 without one
+    int mapSize = 0;                                    ///< texels per side of a depth map; 0 without one
+    float mapBias = 0;                                  ///< of its depths, 0..1
+    Clip clip = Clip::Frustum;                          ///< of Drawn::Silhouettes
 
-    MaskPlace maskPlace = MaskPlace::None;
-    std::size_t maskReady = 0;  ///< the mask stands in maskPlace after this many passes
+    std::vector<MaskTap> masks{};  ///< one per light, in the order in which they stand
     /// A mask value below this is a shadow, in 0..1: half way between the values of a finished mask.
-    /// For the stencil: anything but 0 is a shadow.
     double threshold = 0.5;
+    double shadowShare = 0;  ///< ShadeCount and Shading::Mask: of the light that a shadow keeps
+
+    /// Where masks stand; None without any.
+    MaskPlace maskPlace() const { return masks.empty() ? MaskPlace::None : masks.front().place; }
 
     int smallestMaskBits = 0;  ///< bits per channel that the arithmetic needs; 0: any
 };

@@ -65,6 +65,11 @@ std::vector<Contradiction> contradictions(const Profile& p) {
     rules.needs(p.depth, "depth_bits", !p.depthFunctions.empty(), "depth_functions");
     rules.needs(!p.depthFunctions.empty(), "depth_functions", p.depth, "depth_bits");
     rules.needs(p.stencilWrap, "stencil_wrap", p.stencilBits > 0, "stencil_bits");
+    rules.needs(p.geometryShaders, "geometry_shaders", p.shaders, "shaders");
+    rules.needs(p.atomicCounters, "atomic_counters", p.shaders, "shaders");
+    rules.needs(p.framebufferFetch, "framebuffer_fetch", p.shaders, "shaders");
+    rules.needs(p.depthClamp, "depth_clamp", p.depth, "depth_bits");
+    rules.needs(p.depthTextures, "depth_textures", p.textureUnits > 0, "texture_units");
     rules.needs(p.twoSidedStencil, "two_sided_stencil", p.stencilBits > 0, "stencil_bits");
     rules.needs(p.polygonOffsetUnits, "polygon_offset_units", p.depth, "depth_bits");
     rules.needs(p.polygonOffsetFactor, "polygon_offset_factor", p.depth, "depth_bits");

@@ -99,7 +99,12 @@ struct Profile {
     bool culling = false;  ///< by the chip; otherwise the host sorts faces
     bool polygonOffsetUnits = false, polygonOffsetFactor = false;
     int clipPlanes = 0;
-    bool shaders = false;
+    bool shaders = false;           ///< programs for vertices and fragments
+    bool geometryShaders = false;   ///< with adjacency
+    bool atomicCounters = false;    ///< in all shaders
+    bool framebufferFetch = false;  ///< a fragment program may read the pixel that it writes
+    bool depthClamp = false;        ///< ARB_depth_clamp
+    bool depthTextures = false;     ///< a depth buffer can become a texture
 
     // Limits and rates
     int maxWidth = 0, maxHeight = 0;  ///< of a 3D frame with depth, pixels; 0: no limit

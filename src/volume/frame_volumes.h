@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
@@ -7,27 +8,34 @@
 
 #include "scene/view.h"
 #include "volume/volume.h"
+#include "volume/volume_cut.h"
 
 namespace gnomon {
 
-/// The shadow volumes of one frame, in clip space, ready to be drawn with identity matrices: for each volume
-/// one run of triangles, counter-clockwise seen from outside, cut at the near plane and at the window's sides
-/// and reaching to infinity (w = 0 before the projection).
+/// The shadow volumes of one frame under one light, in clip space, ready to be drawn with identity matrices:
+/// for each volume and part one run of triangles, counter-clockwise seen from outside. Unless another clip is
+/// asked for, they are cut at the near plane and at the window's sides.
 struct FrameVolumes {
-    std::vector<glm::vec4> vertices{};
-    std::vector<std::size_t> begins{0};  ///< volume i is vertices [begins[i], begins[i + 1])
+    /// One part of all volumes; that of volume i is vertices [begins[i], begins[i + 1]).
+    struct Runs {
+        std::vector<glm::vec4> vertices{};
+        std::vector<std::size_t> begins{0};
+    };
+    std::array<Runs, kParts> parts{};
 
-    std::size_t size() const { return begins.size() - 1; }
-    std::span<const glm::vec4> operator[](std::size_t i) const {
-        return std::span(vertices).subspan(begins[i], begins[i + 1] - begins[i]);
+    std::size_t size() const { return parts[0].begins.size() - 1; }
+    std::span<const glm::vec4> all(Part part) const { return parts[std::size_t(part)].vertices; }
+    std::span<const glm::vec4> of(Part part, std::size_t volume) const {
+        const Runs& runs = parts[std::size_t(part)];
+        return all(part).subspan(runs.begins[volume], runs.begins[volume + 1] - runs.begins[volume]);
     }
 };
 
-/// @param lit      the lit casters; each is one volume, or one per lit triangle where it says so. Casters
-///                 without any lit triangle have none, nor have those whose volume misses the window.
-/// @param nearCap  close the volumes that touch the near rectangle with a near cap
+/// @param lit    the lit casters; each is one volume, or one per lit triangle where it says so. Casters
+///               without any lit triangle have none, nor have those of whose parts none is in the window.
+/// @param parts  what is wanted; only volumes that touch the near rectangle get a near cap
 FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
-                          const View& view, bool nearCap);
+                          const View& view, Parts parts, const CutStyle& style = {});
 
 /// Whether any volume touches the near rectangle, so that counting from 0 at the eye is wrong.
 bool eyeInVolume(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,

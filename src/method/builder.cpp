@@ -1,0 +1,417 @@
+#include "method/builder.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <cmath>
+
+namespace gnomon {
+
+using enum BlendFactor;
+
+namespace {
+
+const char* facesName(Faces faces) {
+    return faces == Faces::Front  ? "front faces"
+           : faces == Faces::Back ? "back faces"
+                                  : "front and back faces";
+}
+
+}  // namespace
+
+PlanBuilder::PlanBuilder(const Axes& a, const FrameShape& frame, const Profile& profile)
+    : axes(a), m_frame(frame), m_profile(profile) {
+    m_plan.width = frame.width;
+    m_plan.height = frame.height;
+    m_plan.maskWidth = (frame.width + axes.maskDivisor - 1) / axes.maskDivisor;
+    m_plan.maskHeight = (frame.height + axes.maskDivisor - 1) / axes.maskDivisor;
+    m_plan.clip = axes.clip;
+    m_plan.mapSize = axes.mapSize;
+    m_plan.mapBias = axes.mapBias;
+    const bool attenuated = axes.shade == Shade::Attenuated;
+    m_plan.threshold = attenuated ? 0.75 : 0.5;
+    m_plan.shadowShare = attenuated ? kHalf : 0;
+}
+
+Pass& PlanBuilder::add(PassKind kind, std::string label) {
+    Pass& pass = m_plan.passes.emplace_back();
+    pass.kind = kind;
+    pass.label = std::move(label);
+    return pass;
+}
+
+void PlanBuilder::clear(const Clearing& what) {
+    Pass& pass = add(PassKind::Clear, what.label);
+    pass.colour = glm::vec4(what.value);
+    pass.clearsToBackground = what.background;
+    pass.clearsDepth = what.depth;
+    pass.clearsStencil = what.stencil;
+    if (what.stencil && axes.start == Start::Middle) pass.stencilValue = shadowTest().reference;
+    if (what.stencil && axes.start == Start::Bias)
+        pass.stencilValue = m_frame.lights[std::size_t(what.light)].holdingEye;
+    pass.write = what.write;
+}
+
+void PlanBuilder::sceneDepth() {
+    Pass& pass = add(PassKind::Scene, "scene: depth only");
+    pass.target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
+    pass.depthTest = pass.depthWrite = true;
+    pass.write = kWriteNothing;
+}
+
+void PlanBuilder::sceneFirst(Shading shading, int light) {
+    const char* label = shading == Shading::Lit       ? "scene: lit"
+                        : shading == Shading::Diffuse ? "scene: the light's part"
+                        : shading == Shading::Ambient ? "scene: the ambient part"
+                                                      : "scene: black";
+    Pass& pass = add(PassKind::Scene, label);
+    pass.shading = shading;
+    pass.light = light;
+    pass.depthTest = pass.depthWrite = true;
+}
+
+Pass& PlanBuilder::sceneAgain(const std::string& label, int light, Shading shading, const Blend& how) {
+    Pass& pass = add(PassKind::Scene, label);
+    pass.shading = shading;
+    pass.light = light;
+    pass.depthTest = true;
+    pass.depthFunction = Compare::Lequal;
+    pass.blend = how;
+    return pass;
+}
+
+Pass& PlanBuilder::rectangle(const std::string& label, const Blend& how, float value, ColourWrite write) {
+    Pass& pass = add(PassKind::Rectangle, label);
+    pass.blend = how;
+    pass.colour = glm::vec4(value);
+    pass.write = write;
+    return pass;
+}
+
+Pass& PlanBuilder::volume(int light, int index, Faces faces, Parts parts, Compare function,
+                          const std::string& what) {
+    const char* which = parts == Parts(Part::LightCap)  ? " of the light caps"
+                        : parts == Parts(Part::NearCap) ? " of the near caps"
+                                                        : "";
+    Pass& pass = add(PassKind::Volume,
+                     index == kAllVolumes
+                         ? fmt::format("{}{} of all volumes: {}", facesName(faces), which, what)
+                         : fmt::format("{}{} of volume {}: {}", facesName(faces), which, index, what));
+    pass.light = light;
+    pass.volume = index;
+    pass.faces = faces;
+    pass.parts = parts;
+    pass.depthTest = true;
+    pass.depthFunction = function;
+    pass.target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
+    return pass;
+}
+
+void PlanBuilder::tap(int light, MaskPlace place) {
+    m_plan.masks.push_back({m_plan.passes.size(), light, place, place == MaskPlace::Stencil ? shadowTest() : Stencil{}});
+}
+
+// LEQUAL lets the far cap pass where depth was cleared, so that the background counts out of every volume. A
+// light cap has the depth of its surface, which must lie before it: LESS.
+
+void PlanBuilder::countInStencil(int light) {
+    if (axes.arithmetic == Arithmetic::Parity) return countParity(light);
+    const bool zfail = axes.count == Count::Zfail;
+    const bool wrap = axes.overflow == Overflow::Wrap ||
+                      (axes.overflow == Overflow::Either &&
+                       (m_profile.stencilWrap || axes.count == Count::AtomicZp));
+    const StencilOp incr = wrap ? StencilOp::IncrWrap : StencilOp::Incr,
+                    decr = wrap ? StencilOp::DecrWrap : StencilOp::Decr;
+    const auto side = [&](StencilOp op) {
+        return zfail ? StencilSide{.onDepthFail = op} : StencilSide{.onPass = op};
+    };
+    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const Parts parts = partsOf(axes.count);
+    const Parts open = Part::Sides | Part::FarCap;
+
+    if (axes.count == Count::PlusPlusZp) {
+        Pass& blockers = add(PassKind::Volume, "casters from the light onto the eye, one pixel: count +1");
+        blockers.light = light;
+        blockers.drawn = Drawn::Blockers;
+        blockers.target = Target::OnePixel;
+        blockers.write = kWriteNothing;
+        blockers.stencil = {.enabled = true, .front = side(incr), .back = side(incr)};
+        clear({.label = "count starts at that pixel's", .write = kWriteNothing, .stencil = true});
+        m_plan.passes.back().stencilIsBlockers = true;
+    }
+    if (axes.count == Count::ZpPlus && volumes > 0) {
+        Pass& pass = volume(light, kAllVolumes, Faces::Both, Part::NearCap, Compare::Always,
+                            "casters from the light onto the near plane: count +1");
+        pass.depthTest = false;
+        pass.write = kWriteNothing;
+        pass.stencil = {.enabled = true, .front = side(incr), .back = side(incr)};
+    }
+
+    // Fronts go in and backs out, seen from the eye; seen from infinity it is the other way round.
+    struct Group {
+        Parts parts{};
+        Compare function = Compare::Lequal;
+    };
+    std::vector<Group> groups{{zfail                           ? open
+                               : axes.count == Count::ZpassCap ? open | Part::NearCap
+                               : axes.count == Count::ZpPlus   ? open
+                                                               : parts,
+                               Compare::Lequal}};
+    if (zfail) groups.push_back({Part::LightCap, Compare::Less});
+    const auto pass = [&](Faces faces, const Group& group, StencilOp front, StencilOp back,
+                          const std::string& what) {
+        Pass& p = volume(light, kAllVolumes, faces, group.parts, group.function, what);
+        p.write = kWriteNothing;
+        p.stencil = {.enabled = true, .front = side(front), .back = side(back)};
+        p.depthClamp = (axes.count == Count::PlusPlusZp && m_profile.depthClamp) ||
+                       axes.count == Count::AtomicZp;
+        if (axes.count == Count::AtomicZp) {
+            p.drawn = Drawn::Silhouettes;
+            p.label = "sides and far caps that a geometry shader makes: count +1 and -1";
+        }
+    };
+    const std::string behind = zfail ? " behind the surface" : "";
+    if (volumes > 0 && ((m_profile.twoSidedStencil && wrap) || axes.count == Count::AtomicZp)) {
+        for (const Group& group : groups)
+            zfail ? pass(Faces::Both, group, decr, incr, "count -1 and +1" + behind)
+                  : pass(Faces::Both, group, incr, decr, "count +1 and -1");
+    } else if (volumes > 0) {
+        // Up before down: a decrement that clamps at 0 before its increment would lose a count.
+        for (const Group& group : groups)
+            pass(zfail ? Faces::Back : Faces::Front, group, incr, incr, "count +1" + behind);
+        for (const Group& group : groups)
+            pass(zfail ? Faces::Front : Faces::Back, group, decr, decr, "count -1" + behind);
+    }
+    tap(light, MaskPlace::Stencil);
+}
+
+/// Each face inverts the lowest bit. Overlapping volumes would cancel, so each is counted by itself, and
+/// what it shadows goes to the next bit.
+void PlanBuilder::countParity(int light) {
+    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const bool zfail = axes.count == Count::Zfail;
+    const bool folds = volumes > 1;
+    for (int i = 0; i < volumes; ++i) {
+        const auto pass = [&](Parts parts, Compare function) {
+            Pass& p = volume(light, folds ? i : kAllVolumes, Faces::Both, parts, function, "invert");
+            p.write = kWriteNothing;
+            const StencilSide side = zfail ? StencilSide{.onDepthFail = StencilOp::Invert}
+                                           : StencilSide{.onPass = StencilOp::Invert};
+            p.stencil = {.enabled = true, .writeMask = 1, .front = side, .back = side};
+        };
+        const Parts open = Part::Sides | Part::FarCap;
+        pass(axes.count == Count::ZpassCap ? open | Part::NearCap : open, Compare::Lequal);
+        if (zfail) pass(Part::LightCap, Compare::Less);
+        if (!folds) continue;
+        Pass& fold = rectangle(fmt::format("keep the shadow of volume {}", i), {}, 1, kWriteNothing);
+        const StencilSide replace{.onPass = StencilOp::Replace};
+        fold.stencil = {.enabled = true, .function = Compare::Equal, .reference = 3, .readMask = 1,
+                        .writeMask = 2, .front = replace, .back = replace};
+        clear({.label = "parity starts anew", .write = kWriteNothing, .stencil = true});
+        m_plan.passes.back().stencil.writeMask = 1;
+    }
+    tap(light, MaskPlace::Stencil);
+}
+
+Stencil PlanBuilder::shadowTest() const {
+    Stencil test{.enabled = true, .function = Compare::Notequal};
+    if (axes.start == Start::Middle) test.reference = 1 << std::max(0, m_profile.stencilBits - 1);
+    test.minusBlockers = axes.count == Count::AtomicZp;
+    return test;
+}
+
+void PlanBuilder::countInCounter(int light) {
+    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const bool zfail = axes.count == Count::Zfail;
+    const auto pass = [&](Parts parts, Compare function, const std::string& what) -> Pass& {
+        Pass& p = volume(light, kAllVolumes, Faces::Both, parts, function, what);
+        p.program = Program::CountFaces;
+        p.frontCount = zfail ? -1 : 1;
+        return p;
+    };
+    const Parts open = Part::Sides | Part::FarCap;
+    if (volumes > 0 && zfail) {
+        pass(open, Compare::Greater, "count -1 and +1 behind the surface");
+        pass(Part::LightCap, Compare::Gequal, "count -1 and +1 behind the surface");
+    } else if (volumes > 0) {
+        if (axes.count == Count::ZpPlus)
+            pass(Part::NearCap, Compare::Always, "casters from the light onto the near plane: count +1")
+                .depthTest = false;
+        pass(axes.count == Count::ZpassCap ? open | Part::NearCap : open, Compare::Lequal, "count +1 and -1");
+    }
+    m_plan.smallestMaskBits = 8;
+    tap(light, MaskPlace::Counter);
+}
+
+/// Roettger et al. 2002, section 4.2: front faces of a volume, then its back faces, volume by volume.
+void PlanBuilder::countByBlending(int light, ColourWrite write) {
+    const bool halves = axes.arithmetic == Arithmetic::Halve;
+    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const Parts open = Part::Sides | Part::FarCap;
+    const Parts parts = axes.count == Count::ZpassCap ? open | Part::NearCap : open;
+    if (axes.arithmetic == Arithmetic::Parity && axes.count == Count::Zfail) {
+        for (const auto& [group, function] : {std::pair(open, Compare::Greater),
+                                              std::pair(Parts(Part::LightCap), Compare::Gequal)}) {
+            if (volumes == 0) break;
+            Pass& p = volume(light, kAllVolumes, Faces::Both, group, function, "invert behind the surface");
+            p.blend = blending(OneMinusDstColor, Zero);
+            p.write = write;
+        }
+        return;
+    }
+    if (axes.arithmetic == Arithmetic::Parity) {
+        if (volumes == 0) return;
+        Pass& p = volume(light, kAllVolumes, Faces::Both, parts, Compare::Lequal, "invert");
+        p.blend = blending(OneMinusDstColor, Zero);
+        p.write = write;
+        return;
+    }
+    for (int i = 0; i < volumes; ++i) {
+        if (axes.count == Count::Zfail) {
+            countZfailByBlending(light, i, write);
+            continue;
+        }
+        for (const Faces faces : {Faces::Front, Faces::Back}) {
+            const bool doubles = (faces == Faces::Front) != halves;
+            Pass& p = volume(light, i, faces, parts, Compare::Lequal, doubles ? "double" : "halve");
+            p.blend = doubles ? blending(DstColor, One) : blending(DstColor, Zero);
+            p.colour = glm::vec4(doubles ? 1.0f : kHalf);
+            p.write = write;
+        }
+    }
+}
+
+/// Faces behind the surface, counted from infinity: back faces go in, front faces out. A chip that passes no
+/// farther fragments counts all and takes the nearer ones back (hardware.md, section 1).
+void PlanBuilder::countZfailByBlending(int light, int index, ColourWrite write) {
+    const bool halves = axes.arithmetic == Arithmetic::Halve;
+    const bool farther = m_profile.depthFunctions.contains(Compare::Greater) &&
+                         m_profile.depthFunctions.contains(Compare::Gequal);
+    const bool nearerOnly = !farther && m_profile.depthFunctions.contains(Compare::Always);
+    const auto pass = [&](Faces faces, Parts parts, Compare function, bool enters, const std::string& which) {
+        const bool doubles = enters != halves;
+        Pass& p = volume(light, index, faces, parts, function, (doubles ? "double" : "halve") + which);
+        p.blend = doubles ? blending(DstColor, One) : blending(DstColor, Zero);
+        p.colour = glm::vec4(doubles ? 1.0f : kHalf);
+        p.write = write;
+    };
+    const Parts open = Part::Sides | Part::FarCap;
+    for (const Faces faces : {Faces::Back, Faces::Front}) {
+        const bool enters = faces == Faces::Back;
+        for (const bool cap : {false, true}) {
+            const Parts parts = cap ? Parts(Part::LightCap) : open;
+            if (nearerOnly) {
+                pass(faces, parts, Compare::Always, enters, ", all");
+                pass(faces, parts, cap ? Compare::Less : Compare::Lequal, !enters, " back what is nearer");
+            } else {
+                pass(faces, parts, cap ? Compare::Gequal : Compare::Greater, enters, " behind the surface");
+            }
+        }
+    }
+}
+
+void PlanBuilder::normalise(int light, ColourWrite write) {
+    const auto rect = [&](const std::string& label, const Blend& how, float value) {
+        rectangle(label, how, value, write).target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
+    };
+    const bool attenuated = axes.shade == Shade::Attenuated;
+    if (axes.arithmetic == Arithmetic::Parity) {
+        // Lit is 1 and a shadow 0 as it stands.
+        if (attenuated) {
+            rect("halve: lit to 1/2", blending(DstColor, Zero), kHalf);
+            rect("add 1/2: lit to 1, shadows to 1/2", blending(One, One), kHalf);
+        }
+    } else if (axes.arithmetic == Arithmetic::Halve && attenuated) {
+        rect("raise shadows to 1/2", {.enabled = true, .equation = BlendEquation::Max}, kHalf);
+    } else {
+        // From 2^-levels to 1/2 for a lit pixel; halving started at 1 and leaves shadows at 1/2 or below,
+        // so that inverting comes first there.
+        const bool halve = axes.arithmetic == Arithmetic::Halve;
+        if (!halve)
+            for (int i = 1; i < axes.levels; ++i)
+                rect("double: lit to 1/2, shadows clamp at 1", blending(DstColor, One), 1);
+        if (halve) {
+            rect("invert: lit to 0, shadows to 1/2 or more", blending(OneMinusDstColor, Zero), 1);
+            rect("double: shadows to 1", blending(DstColor, One), 1);
+        }
+        rect("invert: shadows to 0", blending(OneMinusDstColor, Zero), 1);
+        if (!halve && attenuated) rect("add 1/2: lit to 1, shadows to 1/2", blending(One, One), kHalf);
+        if (!halve && !attenuated) rect("double: lit to 1", blending(DstColor, One), 1);
+    }
+    if (axes.apply != Apply::Texture) tap(light, write.alpha ? MaskPlace::Alpha : MaskPlace::Colour);
+    m_plan.smallestMaskBits = axes.arithmetic == Arithmetic::Double ? axes.levels : 1;
+}
+
+float PlanBuilder::maskStart() const {
+    return axes.arithmetic == Arithmetic::Double ? std::ldexp(1.0f, -axes.levels) : 1.0f;
+}
+
+int PlanBuilder::textureSide(int texels) const {
+    return m_profile.textureNonPowerOfTwo ? texels : int(std::bit_ceil(unsigned(texels)));
+}
+
+void PlanBuilder::copyMask() {
+    const bool alpha = axes.store == Store::Alpha;
+    const bool multiplies = m_profile.allowsBlend(Zero, SrcColor);
+    m_texture = alpha ? MaskTexture::Alpha : multiplies ? MaskTexture::Rgb : MaskTexture::Intensity;
+    m_plan.textureWidth = textureSide(m_plan.maskWidth);
+    m_plan.textureHeight = textureSide(m_plan.maskHeight);
+    add(PassKind::Copy, fmt::format("mask of {}x{} to a texture of {}x{}", m_plan.maskWidth,
+                                    m_plan.maskHeight, m_plan.textureWidth, m_plan.textureHeight))
+        .texture = m_texture;
+}
+
+void PlanBuilder::applyTexture(int light) {
+    const Blend how = m_texture == MaskTexture::Rgb ? blending(Zero, SrcColor) : blending(Zero, SrcAlpha);
+    rectangle("mask texture times the scene", how, 1, kWriteColour).texture = m_texture;
+    tap(light, MaskPlace::Texture);
+}
+
+void PlanBuilder::keepFrame() {
+    m_plan.frameTextureWidth = textureSide(m_plan.width);
+    m_plan.frameTextureHeight = textureSide(m_plan.height);
+    Pass& pass = add(PassKind::Copy, fmt::format("frame so far to a texture of {}x{}",
+                                                 m_plan.frameTextureWidth, m_plan.frameTextureHeight));
+    pass.texture = MaskTexture::Rgb;
+    pass.frameTexture = true;
+}
+
+void PlanBuilder::addFrameSoFar() {
+    Pass& pass = rectangle("add the frame so far", blending(One, One), 1, kWriteColour);
+    pass.texture = MaskTexture::Rgb;
+    pass.frameTexture = true;
+}
+
+void PlanBuilder::drawDepthMap(int light) {
+    const int faces = m_frame.lights[std::size_t(light)].directional ? 1 : 6;
+    for (int face = 0; face < faces; ++face) {
+        const std::string label = faces == 1 ? "depth map" : fmt::format("depth map, face {} of the cube", face);
+        const auto into = [&](PassKind kind, const std::string& what) -> Pass& {
+            Pass& pass = add(kind, label + what);
+            pass.target = Target::DepthMap;
+            pass.light = light;
+            pass.mapFace = face;
+            pass.write = kWriteNothing;
+            return pass;
+        };
+        into(PassKind::Clear, " starts").clearsDepth = true;
+        Pass& pass = into(PassKind::Scene, ": casters from the light");
+        pass.depthTest = pass.depthWrite = true;
+    }
+}
+
+void PlanBuilder::maskFromDepthMap(int light, bool isFirst) {
+    Pass& pass = add(PassKind::Scene, "scene: what the depth map shows of the light");
+    pass.shading = Shading::Mask;
+    pass.light = light;
+    pass.depthTest = true;
+    pass.depthWrite = isFirst;
+    pass.depthFunction = isFirst ? Compare::Less : Compare::Lequal;
+    tap(light, MaskPlace::Colour);
+}
+
+Plan PlanBuilder::take() {
+    return std::move(m_plan);
+}
+
+}  // namespace gnomon

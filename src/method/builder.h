@@ -1,0 +1,76 @@
+#pragma once
+
+#include <string>
+
+#include "method/method.h"
+
+namespace gnomon {
+
+/// One half as hardware of the time wants it: 127 loses white (hardware.md, 4.1).
+constexpr float kHalf = 128.0f / 255;
+
+inline Blend blending(BlendFactor source, BlendFactor destination) {
+    return {.enabled = true, .source = source, .destination = destination};
+}
+
+/// Builds the passes of one frame; planFrame() says in which order.
+class PlanBuilder {
+  public:
+    PlanBuilder(const Axes& axes, const FrameShape& frame, const Profile& profile);
+
+    const Axes& axes;
+
+    struct Clearing {
+        std::string label{};
+        ColourWrite write = kWriteColour;
+        bool background = false;  ///< red, green and blue to the background instead of the value
+        float value = 1;
+        bool depth = false, stencil = false;
+        int light = 0;  ///< whose count starts
+    };
+    void clear(const Clearing& what);
+
+    void sceneDepth();
+    void sceneFirst(Shading shading, int light = 0);
+    /// The scene again, over the depth that it left behind.
+    Pass& sceneAgain(const std::string& label, int light, Shading shading, const Blend& how);
+    Pass& rectangle(const std::string& label, const Blend& how, float value, ColourWrite write);
+
+    // The mask of a light, by store. Each ends with a tap.
+    void countInStencil(int light);
+    void countInCounter(int light);
+    void countByBlending(int light, ColourWrite write);
+    void drawDepthMap(int light);
+    void maskFromDepthMap(int light, bool isFirst = true);
+
+    /// Roettger et al. 2002, sections 4.3 and 4.4: the mask's values become one for a lit pixel and one for a
+    /// shadow.
+    void normalise(int light, ColourWrite write);
+
+    /// The stencil test that shadows pass.
+    Stencil shadowTest() const;
+    /// Lit pixels start at 2^-levels to be doubled, at 1 to be halved or inverted.
+    float maskStart() const;
+
+    void copyMask();
+    void applyTexture(int light);
+    void keepFrame();
+    void addFrameSoFar();
+
+    Plan take();
+
+  private:
+    Pass& add(PassKind kind, std::string label);
+    Pass& volume(int light, int index, Faces faces, Parts parts, Compare function, const std::string& what);
+    void countParity(int light);
+    void countZfailByBlending(int light, int index, ColourWrite write);
+    void tap(int light, MaskPlace place);
+    int textureSide(int texels) const;
+
+    const FrameShape& m_frame;
+    const Profile& m_profile;
+    Plan m_plan{};
+    MaskTexture m_texture = MaskTexture::None;
+};
+
+}  // namespace gnomon
