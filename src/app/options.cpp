@@ -11,6 +11,7 @@ namespace gnomon {
 namespace {
 
 constexpr int kLargestSide = 8192;
+constexpr int kMostLights = 8;  ///< unless the user asks for more
 
 /// The value of an enumeration whose words are @p names in order.
 template <class Enum>
@@ -31,6 +32,14 @@ std::vector<Enum> wordsOf(const std::string& flag, const std::vector<std::string
         if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
     }
     return values;
+}
+
+/// The words of an enumeration, for help texts.
+template <class Enum>
+std::string listOf(int count) {
+    std::vector<std::string> known;
+    for (int i = 0; i < count; ++i) known.push_back(name(Enum(i)));
+    return fmt::format("{}", fmt::join(known, ", "));
 }
 
 int wholeNumber(const std::string& flag, const std::string& word) {
@@ -72,6 +81,22 @@ int divisorOf(const std::string& word) {
     if (word == "1/2" || word == "0.5") return 2;
     if (word == "1/4" || word == "0.25") return 4;
     throw UsageError(fmt::format("--mask-scale: no such value '{}' (known: 1, 1/2, 1/4)", word));
+}
+
+/// Leaves the lights that --lights asks for.
+void takeLights(Scene& scene, const std::string& word) {
+    const std::size_t all = scene.lights.size();
+    std::size_t wanted = all;
+    if (word.empty()) {
+        wanted = std::min<std::size_t>(all, kMostLights);
+    } else if (word != "all") {
+        const int number = wholeNumber("--lights", word);
+        if (number < 1) throw UsageError(fmt::format("--lights: {} is less than 1", number));
+        wanted = std::min(all, std::size_t(number));
+    }
+    scene.lights.resize(wanted);
+    if (wanted < all)
+        scene.notes.push_back(fmt::format("{} of {} lights (--lights all takes them all)", wanted, all));
 }
 
 /// A caller's values, or the one that is there.
@@ -145,6 +170,10 @@ void SceneOption::addTo(CLI::App& app, const std::string& help) {
     const std::string group = "Light and camera (y up; default: from the file, else around the mesh)";
     app.add_option("--light", light, "x,y,z of a point light, or x,y,z,0 towards one at infinity")
         ->group(group);
+    app.add_option("--lights", lights,
+                   fmt::format("how many of the scene's lights: a number or all (default: at most {})",
+                               kMostLights))
+        ->group(group);
     app.add_option("--eye", eye, "x,y,z")->group(group);
     app.add_option("--target", target, "x,y,z that the eye looks at")->group(group);
     app.add_option("--fov", fov, "vertical field of view, degrees")->group(group);
@@ -173,6 +202,7 @@ std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) c
             std::any_of(scenes.begin(), scenes.end(), [&](const Scene& s) { return s.id == id; });
         if (!isKnown) scenes.push_back(loadScene(findScene(id, folder), overrides));
     }
+    for (Scene& scene : scenes) takeLights(scene, lights);
     return scenes;
 }
 
@@ -184,25 +214,44 @@ void MethodOption::addTo(CLI::App& app) {
     const auto axis = [&](const std::string& flag, std::vector<std::string>& words, const std::string& help) {
         app.add_option(flag, words, help)->delimiter(',')->group(group);
     };
-    axis("--store", stores, "none, stencil, alpha, screen");
-    axis("--arithmetic", arithmetics, "count, double, halve");
+    axis("--store", stores, listOf<Store>(kStores));
+    axis("--arithmetic", arithmetics, listOf<Arithmetic>(kArithmetics));
     app.add_option("--levels", levels, "nesting depth that double resolves, 1 to 8 (default: 2)")
         ->delimiter(',')
         ->group(group);
-    axis("--count", counts, "zpass, zpass-cap");
-    axis("--silhouette", silhouettes, "winding, per-triangle");
+    axis("--count", counts, listOf<Count>(kCounts));
+    axis("--silhouette", silhouettes, listOf<Silhouette>(kSilhouettes));
     axis("--mask-scale", maskScales, "1, 1/2, 1/4");
-    axis("--apply", applies, "blend, texture");
+    axis("--apply", applies, listOf<Apply>(kApplies));
     axis("--shade", shades, "black, ambient, attenuated (default)");
+    axis("--start", starts,
+         "where a stencil's count starts: zero (default), middle, bias (1 per volume that holds the eye)");
+    axis("--overflow", overflows, "a stencil's: either (default: wrap where the chip can), wrap, saturate");
+    axis("--caps", caps, "of volumes: the lit faces (default) or those turned away");
+    axis("--clip", clips,
+         "where the host cuts volumes: frustum (default), eye (the plane through it), none");
+    app.add_option("--offset", offsets, "start volumes this far behind their caster, world units (zfail)")
+        ->delimiter(',')
+        ->group(group);
+    app.add_option("--map-size", mapSizes,
+                   fmt::format("texels per side of a depth map (default: {})", kDefaultMapSize))
+        ->delimiter(',')
+        ->group(group);
+    app.add_option("--map-bias", mapBiases,
+                   fmt::format("of a depth map, a share of the distance to the light (default: {})",
+                               kDefaultMapBias))
+        ->delimiter(',')
+        ->group(group);
 }
 
 bool MethodOption::isEmpty() const {
     return ids.empty() && stores.empty() && arithmetics.empty() && counts.empty() && silhouettes.empty() &&
-           maskScales.empty() && applies.empty() && levels.empty();
+           maskScales.empty() && applies.empty() && levels.empty() && starts.empty() && overflows.empty() &&
+           caps.empty() && clips.empty() && offsets.empty() && mapSizes.empty() && mapBiases.empty();
 }
 
 std::vector<Shade> MethodOption::shadeList() const {
-    return orElse(wordsOf<Shade>("--shade", shades, 3), Shade::Attenuated);
+    return orElse(wordsOf<Shade>("--shade", shades, kShades), Shade::Attenuated);
 }
 
 std::vector<Axes> MethodOption::axes(std::string& dropped) const {
@@ -216,45 +265,68 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
                 fmt::format("--method: no such method '{}' (known: {})", id, fmt::join(known, ", ")));
         bases.push_back(method->axes);
     }
-    const auto storeList = wordsOf<Store>("--store", stores, 4);
+    const auto storeList = wordsOf<Store>("--store", stores, kStores);
     if (bases.empty())
         for (const Store store : storeList) bases.push_back(defaultsOf(store));
     if (bases.empty())
         for (const NamedMethod& m : namedMethods()) bases.push_back(m.axes);
-
-    const auto arithmeticList = wordsOf<Arithmetic>("--arithmetic", arithmetics, 3);
-    const auto countList = wordsOf<Count>("--count", counts, 2);
-    const auto silhouetteList = wordsOf<Silhouette>("--silhouette", silhouettes, kSilhouettes);
-    const auto applyList = wordsOf<Apply>("--apply", applies, 2);
-    std::vector<int> divisors;
-    for (const std::string& word : maskScales) divisors.push_back(divisorOf(word));
     for (const int level : levels)
         if (level < 1 || level > 8) throw UsageError(fmt::format("--levels: {} is not within 1 to 8", level));
+    for (const int size : mapSizes)
+        if (size < 1 || size > 8192)
+            throw UsageError(fmt::format("--map-size: {} is not within 1 to 8192", size));
+    for (const float bias : mapBiases)
+        if (!(bias >= 0 && bias < 1)) throw UsageError(fmt::format("--map-bias: {} is not within 0 to 1", bias));
+    for (const float offset : offsets)
+        if (!(offset >= 0 && offset < 1e15f))
+            throw UsageError(fmt::format("--offset: {} is no distance", offset));
+
+    // The product, axis by axis.
+    const auto spread = [&](auto values, auto member) {
+        if (values.empty()) return;
+        std::vector<Axes> product;
+        for (const Axes& axes : bases) {
+            for (const auto& value : values) {
+                product.push_back(axes);
+                product.back().*member = value;
+            }
+        }
+        bases = std::move(product);
+    };
+    std::vector<int> divisors;
+    for (const std::string& word : maskScales) divisors.push_back(divisorOf(word));
+    if (!ids.empty()) spread(storeList, &Axes::store);
+    spread(wordsOf<Arithmetic>("--arithmetic", arithmetics, kArithmetics), &Axes::arithmetic);
+    for (Axes& axes : bases)
+        if (axes.arithmetic == Arithmetic::Double && axes.levels == 0) axes.levels = 2;
+    spread(levels, &Axes::levels);
+    spread(wordsOf<Count>("--count", counts, kCounts), &Axes::count);
+    spread(wordsOf<Silhouette>("--silhouette", silhouettes, kSilhouettes), &Axes::silhouette);
+    spread(divisors, &Axes::maskDivisor);
+    spread(wordsOf<Apply>("--apply", applies, kApplies), &Axes::apply);
+    spread(shadeList(), &Axes::shade);
+    spread(wordsOf<Start>("--start", starts, kStarts), &Axes::start);
+    spread(wordsOf<Overflow>("--overflow", overflows, kOverflows), &Axes::overflow);
+    spread(wordsOf<CapFaces>("--caps", caps, kCapFaces), &Axes::capFaces);
+    spread(wordsOf<Clip>("--clip", clips, kClips), &Axes::clip);
+    spread(offsets, &Axes::offset);
+    for (Axes& axes : bases)
+        if (axes.store == Store::DepthMap) axes = normalised(axes);
+    spread(mapSizes, &Axes::mapSize);
+    spread(mapBiases, &Axes::mapBias);
 
     std::vector<Axes> all;
     int contradictions = 0;
     std::string why;
-    const auto add = [&](Axes axes, int level) {
-        axes.levels = axes.arithmetic == Arithmetic::Double ? level : 0;
-        if (axes.store == Store::None) axes = Axes{.store = Store::None, .levels = 0, .shade = axes.shade};
+    for (const Axes& given : bases) {
+        const Axes axes = normalised(given);
         if (const auto reason = contradiction(axes)) {
             ++contradictions;
             if (why.empty()) why = *reason;
         } else if (std::find(all.begin(), all.end(), axes) == all.end()) {
             all.push_back(axes);
         }
-    };
-    for (const Axes& base : bases)
-        for (const Store store : orElse(ids.empty() ? std::vector<Store>{} : storeList, base.store))
-            for (const Arithmetic arithmetic : orElse(arithmeticList, base.arithmetic))
-                for (const int level : orElse(levels, base.levels ? base.levels : 2))
-                    for (const Count count : orElse(countList, base.count))
-                        for (const Silhouette silhouette : orElse(silhouetteList, base.silhouette))
-                            for (const int divisor : orElse(divisors, base.maskDivisor))
-                                for (const Apply apply : orElse(applyList, base.apply))
-                                    for (const Shade shade : shadeList())
-                                        add({store, arithmetic, 0, count, silhouette, divisor, apply, shade},
-                                            level);
+    }
     if (all.empty()) throw UsageError("no method is left: " + why);
     if (contradictions)
         dropped = fmt::format("{} combinations left out that contradict themselves, such as: {}",

@@ -51,7 +51,7 @@ struct ProfileOption {
 /// --scene, and where light and camera stand.
 struct SceneOption {
     std::vector<std::string> ids{};
-    std::string light{}, eye{}, target{}, ground{};
+    std::string light{}, eye{}, target{}, ground{}, lights{};
     std::optional<double> fov{}, near{};
     void addTo(CLI::App& app, const std::string& help);
     /// @p fallback: the ids when none is given; empty: all
@@ -61,8 +61,9 @@ struct SceneOption {
 /// --method and the axes.
 struct MethodOption {
     std::vector<std::string> ids{}, stores{}, arithmetics{}, counts{}, silhouettes{}, maskScales{}, applies{},
-        shades{};
-    std::vector<int> levels{};
+        shades{}, starts{}, overflows{}, caps{}, clips{};
+    std::vector<int> levels{}, mapSizes{};
+    std::vector<float> offsets{}, mapBiases{};
     void addTo(CLI::App& app);
     bool isEmpty() const;  ///< no method and no axis but the shade
     /// The product of what is listed; axes not named keep the defaults of their method, or of the table of

@@ -46,7 +46,7 @@ int run(const Options& options) {
     for (const Axes& axes : methods) {
         const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
         sheets.push_back({methodId(axes), name(axes.shade), profile.id, lab.scene().id, options.frame, plan,
-                          missing(profile, plan)});
+                          lab.missingFor(profile, axes, plan)});
     }
     fmt::print("{}", showPlans(sheets, format));
     return 0;

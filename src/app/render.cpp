@@ -34,13 +34,13 @@ std::function<void(Surface&, std::size_t)> stepWriter(const std::filesystem::pat
             return folder / fmt::format("{:03}-{}.png", pass + 1, buffer);
         };
         writeImage(file("colour"), readColour(surface));
-        if (plan.maskPlace == MaskPlace::Stencil) {
+        if (plan.maskPlace() == MaskPlace::Stencil) {
             // Counts are small numbers: 0 black, 1 to 7 in steps of 32, more white.
             Image stencil = readStencil(surface);
             for (std::uint8_t& value : stencil.data) value = std::uint8_t(std::min(255, value * 32));
             writeImage(file("stencil"), stencil);
         }
-        if (plan.maskPlace == MaskPlace::Alpha) {
+        if (plan.maskPlace() == MaskPlace::Alpha) {
             const Image colour = readColour(surface, true);
             Image alpha{colour.width, colour.height, 1, {}};
             for (std::size_t i = 3; i < colour.data.size(); i += 4) alpha.data.push_back(colour.data[i]);
@@ -122,7 +122,7 @@ int run(const Options& options) {
 
     std::function<void(Surface&, std::size_t)> steps;
     const Plan plan = lab.plan(profile, *axes, size.width, size.height, options.frame);
-    if (!options.steps.empty() && missing(profile, plan).empty()) steps = stepWriter(options.steps, plan);
+    if (!options.steps.empty() && lab.missingFor(profile, *axes, plan).empty()) steps = stepWriter(options.steps, plan);
     Pictures pictures;
     Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
     cell.chosen = options.methods.isEmpty();

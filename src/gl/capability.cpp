@@ -29,7 +29,7 @@ struct DrawState {
     GLenum equation = GL_FUNC_ADD;
     bool red = true, green = true, blue = true;
     bool alpha = false;  ///< asked for by the caller; the initial mask asks for nothing
-    bool colourArray = false, texture = false;
+    bool colourArray = false, texture = false, program = false;
     bool alphaTexture = false;  ///< the texture specified last holds nothing but alpha
     glm::vec4 colour{1};
 };
@@ -73,6 +73,7 @@ class Judge {
         const std::string word = enumName(what);
         if (what == GL_DEPTH_TEST) need(p.depth, call, word, "depth_bits");
         if (what == GL_STENCIL_TEST) need(p.stencilBits > 0, call, word, "stencil_bits");
+        if (what == GL_DEPTH_CLAMP) need(p.depthClamp, call, word, "depth_clamp");
         if (what == GL_TEXTURE_2D) need(p.textureUnits > 0, call, word, "texture_units");
         if (what == GL_POLYGON_OFFSET_FILL)
             need(p.polygonOffsetUnits || p.polygonOffsetFactor, call, word, "polygon_offset_units");
@@ -165,6 +166,24 @@ class Judge {
         need(powers || p.textureNonPowerOfTwo, call, argument, "texture_non_power_of_two");
     }
 
+    void depthTexture(const char* call, const std::string& argument) const {
+        need(p.depthTextures, call, argument, "depth_textures");
+    }
+
+    void shader(GLenum type) const {
+        need(p.shaders, "glCreateShader", enumName(type), "shaders");
+        need(type != GL_GEOMETRY_SHADER || p.geometryShaders, "glCreateShader", enumName(type),
+             "geometry_shaders");
+    }
+
+    /// A program's text: what it asks for by name.
+    void shaderSource(const std::string& text) const {
+        need(p.framebufferFetch || text.find("GL_EXT_shader_framebuffer_fetch") == text.npos, "glShaderSource",
+             "GL_EXT_shader_framebuffer_fetch", "framebuffer_fetch");
+        need(p.atomicCounters || text.find("atomic_uint") == text.npos, "glShaderSource", "atomic_uint",
+             "atomic_counters");
+    }
+
     void copy(const char* call, const std::string& argument) const {
         need(p.textureUnits > 0, call, argument, "texture_units");
         need(p.frameTexture != FrameTexture::None, call, argument, "frame_texture");
@@ -186,7 +205,7 @@ class Judge {
         if (colour) {
             const auto source = *blendFactorOf(s.source), destination = *blendFactorOf(s.destination);
             const bool constantGrey =
-                !s.colourArray && !s.texture && s.colour.r == s.colour.g && s.colour.g == s.colour.b;
+                !s.colourArray && !s.texture && !s.program && s.colour.r == s.colour.g && s.colour.g == s.colour.b;
             const bool byConstant = p.allowsBlendWithConstantSource(source, destination);
             need(p.allowsBlend(source, destination) || (byConstant && constantGrey), call,
                  pair + (byConstant ? " with a varying source colour" : ""), blendKey());
@@ -209,6 +228,11 @@ class Judge {
 /// there.
 bool isAlphaOnly(GLenum format) {
     return format == GL_ALPHA || format == GL_ALPHA4 || format == GL_ALPHA8;
+}
+
+bool isDepth(GLenum format) {
+    return format == GL_DEPTH_COMPONENT || format == GL_DEPTH_COMPONENT16 || format == GL_DEPTH_COMPONENT24 ||
+           format == GL_DEPTH_COMPONENT32;
 }
 
 }  // namespace
@@ -359,12 +383,14 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     gl.TexImage2D = [=](GLenum target, GLint level, GLint format, GLsizei width, GLsizei height, GLint border,
                         GLenum pixels, GLenum type, const void* data) {
         judge->texture("glTexImage2D", width, height);
+        if (pixels == GL_DEPTH_COMPONENT) judge->depthTexture("glTexImage2D", "GL_DEPTH_COMPONENT");
         state->alphaTexture = isAlphaOnly(GLenum(format));
         driver->TexImage2D(target, level, format, width, height, border, pixels, type, data);
     };
     gl.CopyTexImage2D = [=](GLenum target, GLint level, GLenum format, GLint x, GLint y, GLsizei width,
                             GLsizei height, GLint border) {
         judge->copy("glCopyTexImage2D", enumName(format));
+        if (isDepth(format)) judge->depthTexture("glCopyTexImage2D", enumName(format));
         judge->texture("glCopyTexImage2D", width, height);
         if (isAlphaOnly(format)) judge->alphaPlanes("glCopyTexImage2D", "alpha");
         state->alphaTexture = isAlphaOnly(format);
@@ -382,10 +408,24 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
         driver->ActiveTexture(unit);
     };
 
+    // Frame buffers of textures: so far only depth maps are drawn to.
+    gl.BindFramebuffer = [=](GLenum target, GLuint framebuffer) {
+        if (framebuffer != 0) judge->depthTexture("glBindFramebuffer", fmt::format("{}", framebuffer));
+        driver->BindFramebuffer(target, framebuffer);
+    };
+
     // Programs
     gl.CreateShader = [=](GLenum type) {
-        judge->need(judge->p.shaders, "glCreateShader", enumName(type), "shaders");
+        judge->shader(type);
         return driver->CreateShader(type);
+    };
+    gl.ShaderSource = [=](GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths) {
+        std::string text;
+        for (GLsizei i = 0; i < count; ++i)
+            text += lengths && lengths[i] >= 0 ? std::string(strings[i], std::size_t(lengths[i]))
+                                               : std::string(strings[i]);
+        judge->shaderSource(text);
+        driver->ShaderSource(shader, count, strings, lengths);
     };
     gl.CreateProgram = [=]() {
         judge->need(judge->p.shaders, "glCreateProgram", "", "shaders");
@@ -393,7 +433,17 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     };
     gl.UseProgram = [=](GLuint program) {
         judge->need(judge->p.shaders, "glUseProgram", fmt::format("{}", program), "shaders");
+        state->program = program != 0;
         driver->UseProgram(program);
+    };
+    gl.BindBufferBase = [=](GLenum target, GLuint index, GLuint buffer) {
+        judge->need(judge->p.atomicCounters || target != GL_ATOMIC_COUNTER_BUFFER, "glBindBufferBase",
+                    "GL_ATOMIC_COUNTER_BUFFER", "atomic_counters");
+        driver->BindBufferBase(target, index, buffer);
+    };
+    gl.DrawElements = [=](GLenum mode, GLsizei count, GLenum type, const void* indices) {
+        judge->draw("glDrawElements", *state);
+        driver->DrawElements(mode, count, type, indices);
     };
     return gl;
 }

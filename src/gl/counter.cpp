@@ -60,6 +60,9 @@ GlTable Counter::count(GlTable next) {
     gl.BlendEquation = ending(driver->BlendEquation);
     gl.CullFace = ending(driver->CullFace);
     gl.Color4f = ending(driver->Color4f);
+    gl.BindFramebuffer = ending(driver->BindFramebuffer);
+    gl.UseProgram = ending(driver->UseProgram);
+    gl.StencilMask = ending(driver->StencilMask);
 
     gl.DepthMask = [=](GLboolean write) {
         state->run = Kind::None;
@@ -67,11 +70,11 @@ GlTable Counter::count(GlTable next) {
         driver->DepthMask(write);
     };
     gl.EnableClientState = [=](GLenum array) {
-        if (array == GL_COLOR_ARRAY) state->colourArray = true;
+        if (array == GL_COLOR_ARRAY || array == GL_TEXTURE_COORD_ARRAY) state->arrays.insert(array);
         driver->EnableClientState(array);
     };
     gl.DisableClientState = [=](GLenum array) {
-        if (array == GL_COLOR_ARRAY) state->colourArray = false;
+        state->arrays.erase(array);
         driver->DisableClientState(array);
     };
     gl.VertexPointer = [=](GLint size, GLenum type, GLsizei stride, const void* pointer) {
@@ -85,8 +88,14 @@ GlTable Counter::count(GlTable next) {
         if (coversViewport(state->size, state->positions, first, vertices))
             add(Kind::Rectangle);
         else
-            add(!state->depthWrite && !state->colourArray ? Kind::Volume : Kind::Scene);
+            add(!state->depthWrite && state->arrays.empty() ? Kind::Volume : Kind::Scene);
         driver->DrawArrays(mode, first, vertices);
+    };
+    gl.DrawElements = [=](GLenum mode, GLsizei vertices, GLenum type, const void* indices) {
+        ++counts->draws;
+        counts->vertices += vertices;
+        add(!state->depthWrite && state->arrays.empty() ? Kind::Volume : Kind::Scene);
+        driver->DrawElements(mode, vertices, type, indices);
     };
     gl.CopyTexImage2D = [=](GLenum target, GLint level, GLenum format, GLint x, GLint y, GLsizei width,
                             GLsizei height, GLint border) {

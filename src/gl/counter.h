@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <set>
 
 #include "gl/table.h"
 #include "plan/plan.h"
@@ -31,7 +32,8 @@ class Counter {
     enum class Kind { None, Scene, Volume, Rectangle, Copy };
     struct State {
         Kind run = Kind::None;  ///< kind of the run that goes on; None after a state call
-        bool depthWrite = true, colourArray = false;
+        bool depthWrite = true;
+        std::set<GLenum> arrays{};  ///< that give fragments colours: of colours or texture coordinates
         GLint size = 4;
         const void* positions = nullptr;
     };

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <ctime>
+#include <map>
 #include <stdexcept>
 
 #include "gl/capability.h"
+#include "gl/programs.h"
 #include "gl/words.h"
 
 namespace gnomon {
@@ -38,68 +40,108 @@ std::vector<bool> belowThreshold(const Image& image, int channel, double thresho
     return shadow;
 }
 
+/// A texture that the frame or a mask was copied to.
+struct CopiedTexture {
+    GLuint name = 0;
+    float u = 1, v = 1;  ///< the part of it that was copied to
+};
+
+/// Draws the window-filling rectangle with @p texture under the current state.
+void fillWith(const GlTable& gl, const CopiedTexture& texture) {
+    const std::array<float, 8> coordinates{0, 0, texture.u, 0, texture.u, texture.v, 0, texture.v};
+    gl.Enable(GL_TEXTURE_2D);
+    gl.BindTexture(GL_TEXTURE_2D, texture.name);
+    gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
+    gl.TexCoordPointer(2, GL_FLOAT, 0, coordinates.data());
+    gl.VertexPointer(2, GL_FLOAT, 0, kWindow.data());
+    gl.DrawArrays(GL_QUADS, 0, 4);
+    gl.DisableClientState(GL_TEXTURE_COORD_ARRAY);
+    gl.Disable(GL_TEXTURE_2D);
+}
+
 /// Executes passes; each sets all the state that it depends on.
 class PassRunner {
   public:
     PassRunner(const GlTable& table, const Plan& plan, const FrameSurfaces& surfaces,
-               const FrameVolumes& volumes)
-        : gl(table), m_plan(plan), m_surfaces(surfaces), m_volumes(volumes) {}
+               const LightFrames& lights)
+        : gl(table), m_plan(plan), m_surfaces(surfaces), m_lights(lights), m_programs(table) {}
 
     ~PassRunner() {
-        if (m_texture) gl.DeleteTextures(1, &m_texture);
+        for (const CopiedTexture* t : {&m_mask, &m_frame})
+            if (t->name) gl.DeleteTextures(1, &t->name);
+        for (const auto& [face, map] : m_maps) gl.DeleteTextures(1, &map);
+        if (m_framebuffer) gl.DeleteFramebuffers(1, &m_framebuffer);
     }
     PassRunner(const PassRunner&) = delete;
     PassRunner& operator=(const PassRunner&) = delete;
 
     void run(const Pass& pass) {
-        if (pass.lowResolution)
-            gl.Viewport(0, 0, m_plan.maskWidth, m_plan.maskHeight);
-        else
-            gl.Viewport(0, 0, m_plan.width, m_plan.height);
+        const bool toMap = pass.target == Target::DepthMap;
+        if (toMap) bindMap(pass);
+        switch (pass.target) {
+            case Target::Window:
+                gl.Viewport(0, 0, m_plan.width, m_plan.height);
+                break;
+            case Target::Mask:
+                gl.Viewport(0, 0, m_plan.maskWidth, m_plan.maskHeight);
+                break;
+            case Target::DepthMap:
+                gl.Viewport(0, 0, m_plan.mapSize, m_plan.mapSize);
+                break;
+            case Target::OnePixel:
+                gl.Viewport(0, 0, 1, 1);
+                break;
+        }
         switch (pass.kind) {
             case PassKind::Clear:
-                return clear(pass);
+                clear(pass);
+                break;
             case PassKind::Copy:
-                return copy(pass);
+                copy(pass);
+                break;
             case PassKind::Scene:
-                return scene(pass);
+                scene(pass);
+                break;
             case PassKind::Volume:
-                return volume(pass);
+                volume(pass);
+                break;
             case PassKind::Rectangle:
-                return rectangle(pass);
+                rectangle(pass);
+                break;
         }
+        if (toMap) gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
     }
 
-    GLuint texture() const { return m_texture; }
+    /// What a stencil value is compared with.
+    int reference(const Stencil& stencil) const {
+        return (stencil.reference - (stencil.minusBlockers ? m_blockers : 0)) & 0xff;
+    }
 
-    /// Draws the window-filling rectangle with the mask's texture under the current state.
-    void drawTextured(const GlTable& table) const {
-        const float u = float(m_plan.maskWidth) / float(m_plan.textureWidth),
-                    v = float(m_plan.maskHeight) / float(m_plan.textureHeight);
-        const std::array<float, 8> coordinates{0, 0, u, 0, u, v, 0, v};
-        table.Enable(GL_TEXTURE_2D);
-        table.BindTexture(GL_TEXTURE_2D, m_texture);
-        table.EnableClientState(GL_TEXTURE_COORD_ARRAY);
-        table.TexCoordPointer(2, GL_FLOAT, 0, coordinates.data());
-        table.VertexPointer(2, GL_FLOAT, 0, kWindow.data());
-        table.DrawArrays(GL_QUADS, 0, 4);
-        table.DisableClientState(GL_TEXTURE_COORD_ARRAY);
-        table.Disable(GL_TEXTURE_2D);
+    const CopiedTexture& mask() const { return m_mask; }
+
+    /// Takes OpenGL's defaults for the state that is kept between passes.
+    void forgetState() {
+        m_equation = BlendEquation::Add;
+        m_stencilMask = ~0u;
     }
 
   private:
     void clear(const Pass& pass) {
         colourMask(pass.write);
-        glm::vec4 colour = pass.colour;
-        if (pass.clearsToBackground) colour = glm::vec4(m_surfaces.background, colour.a);
-        gl.ClearColor(colour.r, colour.g, colour.b, colour.a);
-        GLbitfield bits = GL_COLOR_BUFFER_BIT;
+        GLbitfield bits = 0;
+        if (pass.write.any()) {
+            glm::vec4 colour = pass.colour;
+            if (pass.clearsToBackground) colour = glm::vec4(m_surfaces.background, colour.a);
+            gl.ClearColor(colour.r, colour.g, colour.b, colour.a);
+            bits |= GL_COLOR_BUFFER_BIT;
+        }
         if (pass.clearsDepth) {
             gl.DepthMask(GL_TRUE);
             bits |= GL_DEPTH_BUFFER_BIT;
         }
         if (pass.clearsStencil) {
-            gl.ClearStencil(0);
+            stencilMask(pass.stencil.writeMask);
+            gl.ClearStencil(pass.stencilIsBlockers ? m_blockers : pass.stencilValue);
             bits |= GL_STENCIL_BUFFER_BIT;
         }
         gl.Clear(bits);
@@ -108,29 +150,50 @@ class PassRunner {
     void scene(const Pass& pass) {
         state(pass);
         gl.Disable(GL_CULL_FACE);
-        const bool coloured = pass.write.any();
-        if (coloured) {
-            // What lies at infinity takes part wherever the scene meets a mask that stands in the colour
-            // buffer.
-            if (pass.depthTest && !pass.depthWrite && pass.shading != Shading::Ambient) backdrop();
-            const auto& colours = pass.shading == Shading::Lit       ? m_surfaces.lit
-                                  : pass.shading == Shading::Diffuse ? m_surfaces.diffuse
-                                                                     : m_surfaces.ambient;
-            gl.EnableClientState(GL_COLOR_ARRAY);
-            gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
-        }
+        if (pass.target == Target::DepthMap)
+            return draw(m_lights(pass.light).depthMap.faces[std::size_t(pass.mapFace)]);
+        if (!pass.write.any()) return draw(m_surfaces.positions);
+        if (pass.shading == Shading::Mask) return depthMapMask(pass);
+
+        if (pass.program == Program::ShadeCount) m_programs.useShadeCount(float(m_plan.shadowShare));
+        gl.EnableClientState(GL_COLOR_ARRAY);
+        // What lies at infinity takes part wherever the scene meets a mask that stands in the colour buffer.
+        const bool overMask = pass.program == Program::ShadeCount ||
+                              (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
+        if (overMask) backdrop(pass.blackBackdrop ? glm::vec3(0) : m_surfaces.background);
+        const std::vector<Rgba> mixed = mixedColours(pass);
+        const std::vector<Rgba>& colours = pass.shading == Shading::Lit       ? m_lights(pass.light).colours->lit
+                                           : pass.shading == Shading::Diffuse ? m_lights(pass.light).colours->diffuse
+                                           : pass.shading == Shading::Ambient ? m_surfaces.ambient
+                                                                              : mixed;
+        gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(m_surfaces.positions);
-        if (coloured) gl.DisableClientState(GL_COLOR_ARRAY);
+        gl.DisableClientState(GL_COLOR_ARRAY);
+        if (pass.program != Program::None) m_programs.useNone();
+    }
+
+    /// The colours of the shadings that are made of others.
+    std::vector<Rgba> mixedColours(const Pass& pass) const {
+        if (pass.shading == Shading::Black)
+            return std::vector<Rgba>(m_surfaces.positions.size(), Rgba(0, 0, 0, 255));
+        if (pass.shading != Shading::HalfDiffuse && pass.shading != Shading::RestDiffuse) return {};
+        std::vector<Rgba> colours = m_lights(pass.light).colours->diffuse;
+        for (Rgba& colour : colours) {
+            for (int k = 0; k < 3; ++k) {
+                const int half = colour[k] / 2;
+                colour[k] = std::uint8_t(pass.shading == Shading::HalfDiffuse ? half : colour[k] - half);
+            }
+        }
+        return colours;
     }
 
     /// The background as a surface at infinity: depth 1, z = w.
-    void backdrop() {
+    void backdrop(const glm::vec3& background) {
         static constexpr std::array<glm::vec4, 6> kCorners{
             glm::vec4{-1, -1, 1, 1}, {1, -1, 1, 1}, {1, 1, 1, 1},
             glm::vec4{-1, -1, 1, 1}, {1, 1, 1, 1},  {-1, 1, 1, 1}};
         std::array<Rgba, 6> colours;
-        colours.fill(Rgba(glm::u8vec3(glm::clamp(m_surfaces.background, 0.0f, 1.0f) * 255.0f + 0.5f), 255));
-        gl.EnableClientState(GL_COLOR_ARRAY);
+        colours.fill(Rgba(glm::u8vec3(glm::clamp(background, 0.0f, 1.0f) * 255.0f + 0.5f), 255));
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(kCorners);
     }
@@ -144,56 +207,117 @@ class PassRunner {
             gl.Enable(GL_CULL_FACE);
             gl.CullFace(pass.faces == Faces::Front ? GL_BACK : GL_FRONT);
         }
-        draw(pass.volume == kAllVolumes ? std::span(m_volumes.vertices)
-                                        : m_volumes[std::size_t(pass.volume)]);
+        if (pass.depthClamp) gl.Enable(GL_DEPTH_CLAMP);
+        if (pass.program == Program::CountFaces) m_programs.useCountFaces(pass.frontCount);
+        const LightFrame& light = m_lights(pass.light);
+        if (pass.drawn == Drawn::Blockers) {
+            draw(light.blockers);
+            std::uint8_t count = 0;
+            gl.ReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &count);
+            m_blockers = count;
+        } else if (pass.drawn == Drawn::Silhouettes) {
+            m_blockers = m_programs.drawSilhouettes(light.silhouettes, m_plan.clip);
+            m_programs.useNone();
+        } else {
+            for (int part = 0; part < kParts; ++part)
+                if (pass.parts.has(Part(part)))
+                    draw(pass.volume == kAllVolumes
+                             ? light.volumes->all(Part(part))
+                             : light.volumes->of(Part(part), std::size_t(pass.volume)));
+        }
+        if (pass.program == Program::CountFaces) m_programs.useNone();
+        if (pass.depthClamp) gl.Disable(GL_DEPTH_CLAMP);
     }
 
     void rectangle(const Pass& pass) {
         state(pass);
         gl.Disable(GL_CULL_FACE);
         gl.Color4f(pass.colour.r, pass.colour.g, pass.colour.b, pass.colour.a);
-        if (pass.texture != MaskTexture::None) return drawTextured(gl);
+        if (pass.texture != MaskTexture::None)
+            return fillWith(gl, pass.frameTexture ? m_frame : m_mask);
         gl.VertexPointer(2, GL_FLOAT, 0, kWindow.data());
         gl.DrawArrays(GL_QUADS, 0, 4);
     }
 
-    /// Copies the mask. Where the texture is larger than the mask, its last row, column and corner are copied
-    /// once more beside it, so that bilinear filtering clamps at the mask's edge.
+    /// Copies the mask, or the frame. Where the texture is larger, the last row, column and corner are copied
+    /// once more beside it, so that bilinear filtering clamps at the edge.
     void copy(const Pass& pass) {
         const GLenum format = pass.texture == MaskTexture::Alpha       ? GL_ALPHA
                               : pass.texture == MaskTexture::Intensity ? GL_INTENSITY
                                                                        : GL_RGB;
-        const int width = m_plan.maskWidth, height = m_plan.maskHeight;
-        gl.GenTextures(1, &m_texture);
-        gl.BindTexture(GL_TEXTURE_2D, m_texture);
+        const bool ofFrame = pass.frameTexture;
+        const int width = ofFrame ? m_plan.width : m_plan.maskWidth,
+                  height = ofFrame ? m_plan.height : m_plan.maskHeight;
+        const int textureWidth = ofFrame ? m_plan.frameTextureWidth : m_plan.textureWidth,
+                  textureHeight = ofFrame ? m_plan.frameTextureHeight : m_plan.textureHeight;
+        CopiedTexture& texture = ofFrame ? m_frame : m_mask;
+        texture.u = float(width) / float(textureWidth), texture.v = float(height) / float(textureHeight);
+        if (!texture.name) gl.GenTextures(1, &texture.name);
+        gl.BindTexture(GL_TEXTURE_2D, texture.name);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
-        if (width == m_plan.textureWidth && height == m_plan.textureHeight) {
+        if (width == textureWidth && height == textureHeight) {
             gl.CopyTexImage2D(GL_TEXTURE_2D, 0, format, 0, 0, width, height, 0);
             return;
         }
         const GLenum base = pass.texture == MaskTexture::Intensity ? GL_LUMINANCE : format;
-        gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), m_plan.textureWidth, m_plan.textureHeight, 0, base,
-                      GL_UNSIGNED_BYTE, nullptr);
+        gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), textureWidth, textureHeight, 0, base, GL_UNSIGNED_BYTE,
+                      nullptr);
         gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
-        if (width < m_plan.textureWidth)
+        if (width < textureWidth)
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, 0, width - 1, 0, 1, height);
-        if (height < m_plan.textureHeight)
+        if (height < textureHeight)
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, height, 0, height - 1, width, 1);
-        if (width < m_plan.textureWidth && height < m_plan.textureHeight)
+        if (width < textureWidth && height < textureHeight)
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, height, width - 1, height - 1, 1, 1);
     }
 
+    /// Makes one face of a light's depth map the buffer that is drawn to.
+    void bindMap(const Pass& pass) {
+        GLuint& map = m_maps[{pass.light, pass.mapFace}];
+        if (!m_framebuffer) gl.GenFramebuffers(1, &m_framebuffer);
+        if (!map) {
+            gl.GenTextures(1, &map);
+            gl.BindTexture(GL_TEXTURE_2D, map);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+            gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+            gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, m_plan.mapSize, m_plan.mapSize, 0,
+                          GL_DEPTH_COMPONENT, GL_FLOAT, nullptr);
+        }
+        gl.BindFramebuffer(GL_FRAMEBUFFER, m_framebuffer);
+        gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, map, 0);
+        gl.DrawBuffer(GL_NONE);
+    }
+
+    void depthMapMask(const Pass& pass) {
+        const DepthMapFrame& map = m_lights(pass.light).depthMap;
+        for (std::size_t f = 0; f < map.faces.size(); ++f) {
+            gl.ActiveTexture(GLenum(GL_TEXTURE0 + f));
+            gl.BindTexture(GL_TEXTURE_2D, m_maps.at({pass.light, int(f)}));
+        }
+        gl.ActiveTexture(GL_TEXTURE0);
+        m_programs.useDepthMap(map, m_plan.mapSize, m_plan.mapBias, float(m_plan.shadowShare));
+        gl.EnableClientState(GL_TEXTURE_COORD_ARRAY);
+        gl.TexCoordPointer(3, GL_FLOAT, 0, map.coordinates.data());
+        draw(m_surfaces.positions);
+        gl.DisableClientState(GL_TEXTURE_COORD_ARRAY);
+        m_programs.useNone();
+    }
+
+    /// An empty list is drawn too: the pass is made all the same.
     void draw(std::span<const glm::vec4> triangles) {
-        if (triangles.empty()) return;
         gl.VertexPointer(4, GL_FLOAT, 0, triangles.data());
         gl.DrawArrays(GL_TRIANGLES, 0, GLsizei(triangles.size()));
     }
 
     void colourMask(const ColourWrite& w) { gl.ColorMask(w.red, w.green, w.blue, w.alpha); }
+
+    void stencilMask(unsigned mask) {
+        if (mask != m_stencilMask) gl.StencilMask(m_stencilMask = mask);
+    }
 
     void state(const Pass& pass) {
         colourMask(pass.write);
@@ -218,7 +342,8 @@ class PassRunner {
         const Stencil& s = pass.stencil;
         if (!s.enabled) return gl.Disable(GL_STENCIL_TEST);
         gl.Enable(GL_STENCIL_TEST);
-        gl.StencilFunc(glEnum(s.function), s.reference, ~0u);
+        stencilMask(s.writeMask);
+        gl.StencilFunc(glEnum(s.function), reference(s), s.readMask);
         if (s.front == s.back) {
             gl.StencilOp(GL_KEEP, glEnum(s.front.onDepthFail), glEnum(s.front.onPass));
         } else {
@@ -230,15 +355,24 @@ class PassRunner {
     const GlTable& gl;
     const Plan& m_plan;
     const FrameSurfaces& m_surfaces;
-    const FrameVolumes& m_volumes;
+    const LightFrames& m_lights;
+    Programs m_programs;
     BlendEquation m_equation = BlendEquation::Add;
-    GLuint m_texture = 0;
+    unsigned m_stencilMask = ~0u;
+    int m_blockers = 0;  ///< what hides the eye, as the light counted last
+    CopiedTexture m_mask{}, m_frame{};
+    GLuint m_framebuffer = 0;
+    std::map<std::pair<int, int>, GLuint> m_maps{};  ///< by light and face
 };
 
 /// Back to OpenGL's defaults, past all decorators.
 void resetState(const GlTable& gl) {
-    for (const GLenum what : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D})
+    for (const GLenum what : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D,
+                              GL_DEPTH_CLAMP})
         gl.Disable(what);
+    gl.UseProgram(0);
+    gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
+    gl.StencilMask(~0u);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     gl.DepthMask(GL_TRUE);
     gl.BlendEquation(GL_FUNC_ADD);
@@ -248,32 +382,63 @@ void resetState(const GlTable& gl) {
     gl.EnableClientState(GL_VERTEX_ARRAY);
 }
 
-std::vector<bool> readMask(Surface& surface, const Plan& plan) {
-    switch (plan.maskPlace) {
-        case MaskPlace::Stencil: {
-            const Image stencil = readStencil(surface);
-            return {stencil.data.begin(), stencil.data.end()};
-        }
+/// Red and green hold a count of 16 bits; anything but 0 is a shadow.
+std::vector<bool> countedShadows(const Image& image) {
+    std::vector<bool> shadow(std::size_t(image.width) * image.height);
+    for (std::size_t i = 0; i < shadow.size(); ++i)
+        shadow[i] = image.data[i * image.channels] != 0 || image.data[i * image.channels + 1] != 0;
+    return shadow;
+}
+
+/// Stencil values that differ from @p reference are shadows.
+std::vector<bool> stencilledShadows(const Image& stencil, int reference) {
+    std::vector<bool> shadow(stencil.data.size());
+    for (std::size_t i = 0; i < shadow.size(); ++i) shadow[i] = stencil.data[i] != reference;
+    return shadow;
+}
+
+/// The mask as it went over the scene: its texture over the whole window, by itself. The window's colours
+/// wait in another texture meanwhile.
+std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, PassRunner& runner) {
+    const GlTable& gl = surface.driver();
+    resetState(gl);
+    runner.forgetState();
+    gl.Viewport(0, 0, plan.width, plan.height);
+    CopiedTexture kept;
+    gl.GenTextures(1, &kept.name);
+    gl.BindTexture(GL_TEXTURE_2D, kept.name);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl.CopyTexImage2D(GL_TEXTURE_2D, 0, surface.format().alpha ? GL_RGBA : GL_RGB, 0, 0, plan.width,
+                      plan.height, 0);
+    fillWith(gl, runner.mask());
+    const bool inAlpha = std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
+        return pass.kind == PassKind::Copy && pass.texture == MaskTexture::Alpha;
+    });
+    auto shadow = inAlpha ? belowThreshold(readColour(surface, true), 3, plan.threshold)
+                          : belowThreshold(readColour(surface), 0, plan.threshold);
+    fillWith(gl, kept);
+    gl.DeleteTextures(1, &kept.name);
+    return shadow;
+}
+
+/// The mask as it stands.
+std::vector<bool> readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
+    switch (tap.place) {
+        case MaskPlace::Stencil:
+            return stencilledShadows(readStencil(surface), runner.reference(tap.test));
         case MaskPlace::Colour:
             return belowThreshold(readColour(surface), 0, plan.threshold);
         case MaskPlace::Alpha:
             return belowThreshold(readColour(surface, true), 3, plan.threshold);
+        case MaskPlace::Counter:
+            return countedShadows(readColour(surface));
         case MaskPlace::Texture:
+            return readMaskTexture(surface, plan, runner);
         case MaskPlace::None:
             break;
     }
     return std::vector<bool>(std::size_t(plan.width) * plan.height);
-}
-
-/// The mask as it went over the scene: its texture over the whole window, by itself.
-std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, const PassRunner& runner,
-                                  MaskTexture format) {
-    const GlTable& gl = surface.driver();
-    resetState(gl);
-    gl.Viewport(0, 0, plan.width, plan.height);
-    runner.drawTextured(gl);
-    return format == MaskTexture::Alpha ? belowThreshold(readColour(surface, true), 3, plan.threshold)
-                                        : belowThreshold(readColour(surface), 0, plan.threshold);
 }
 
 }  // namespace
@@ -293,7 +458,7 @@ Image readStencil(Surface& surface) {
 }
 
 Rendered render(Surface& surface, const Profile& profile, const Plan& plan, const FrameSurfaces& surfaces,
-                const FrameVolumes& volumes, const AfterPass& afterPass) {
+                const LightFrames& lights, const AfterPass& afterPass) {
     surface.makeCurrent();
     const GlTable& driver = surface.driver();
     resetState(driver);
@@ -302,26 +467,31 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
 
     Counter counter;
     const GlTable gl = counter.count(restrictTo(profile, surface.format(), driver));
-    PassRunner runner(gl, plan, surfaces, volumes);
+    PassRunner runner(gl, plan, surfaces, lights);
     Rendered out;
-    MaskTexture maskTexture = MaskTexture::None;
+    out.masks.resize(std::max<std::size_t>(plan.masks.size(), 1));
+    auto tap = plan.masks.begin();
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        // What the light adds is made before the clock starts.
+        const Pass& pass = plan.passes[i];
+        if (pass.kind == PassKind::Scene || pass.kind == PassKind::Volume) lights(pass.light);
         const double start = threadCpuMs();
-        runner.run(plan.passes[i]);
-        if (i + 1 == plan.passes.size() || i + 1 == plan.maskReady || afterPass) gl.Finish();
+        runner.run(pass);
+        const bool taps = tap != plan.masks.end() && tap->after == i + 1;
+        if (i + 1 == plan.passes.size() || taps || afterPass) gl.Finish();
         out.cpuMs += threadCpuMs() - start;
         if (const GLenum error = driver.GetError(); error != GL_NO_ERROR)
             throw std::runtime_error(
                 fmt::format("OpenGL error 0x{:04x} in pass {}: {}", error, i + 1, plan.passes[i].label));
-        if (plan.passes[i].kind == PassKind::Copy) maskTexture = plan.passes[i].texture;
-        if (i + 1 == plan.maskReady) out.maskShadow = readMask(surface, plan);
         if (afterPass) afterPass(i);
+        if (taps) {
+            out.masks[std::size_t(tap->light)] = readMask(surface, plan, *tap, runner);
+            ++tap;
+        }
     }
     out.image = readColour(surface);
     out.counts = counter.counts();
-    if (out.maskShadow.empty()) out.maskShadow = readMask(surface, plan);
-    if (plan.maskPlace == MaskPlace::Texture)
-        out.maskShadow = readMaskTexture(surface, plan, runner, maskTexture);
+    if (plan.masks.empty()) out.masks[0].resize(std::size_t(plan.width) * plan.height);
     return out;
 }
 

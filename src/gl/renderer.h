@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gl/counter.h"
-#include "gl/frame.h"
+#include "gl/light_frame.h"
 #include "gl/surface.h"
 #include "image/image.h"
 #include "plan/plan.h"
@@ -14,8 +14,8 @@ namespace gnomon {
 /// What one frame showed and cost.
 struct Rendered {
     Image image{};  ///< RGB, rows from the top
-    std::vector<bool>
-        maskShadow{};  ///< per pixel of the window, rows from the top: the mask calls it a shadow
+    /// By light; per pixel of the window, rows from the top: the mask calls it a shadow.
+    std::vector<std::vector<bool>> masks{};
     CallCounts counts{};
     double cpuMs = 0;   ///< thread CPU time of the frame's OpenGL calls, until they are finished
     double hostMs = 0;  ///< thread CPU time of building surfaces and volumes; filled in by the caller
@@ -30,7 +30,7 @@ using AfterPass = std::function<void(std::size_t pass)>;
 /// @throws CapabilityViolation  the plan uses what the chip lacks
 /// @throws std::runtime_error   an OpenGL error, naming the pass
 Rendered render(Surface& surface, const Profile& profile, const Plan& plan, const FrameSurfaces& surfaces,
-                const FrameVolumes& volumes, const AfterPass& afterPass = {});
+                const LightFrames& lights, const AfterPass& afterPass = {});
 
 /// The colour buffer as it stands: RGB, or RGBA where @p alpha; rows from the top.
 Image readColour(Surface& surface, bool alpha = false);

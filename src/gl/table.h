@@ -63,10 +63,41 @@ struct GlTable {
     Call<GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei> CopyTexSubImage2D{};
     Call<GLenum> ActiveTexture{};
 
+    // Frame buffers of textures
+    Call<GLsizei, GLuint*> GenFramebuffers{};
+    Call<GLsizei, const GLuint*> DeleteFramebuffers{};
+    Call<GLenum, GLuint> BindFramebuffer{};
+    Call<GLenum, GLenum, GLenum, GLuint, GLint> FramebufferTexture2D{};
+    Call<GLenum> DrawBuffer{};
+
     // Programs
     std::function<GLuint(GLenum)> CreateShader{};
+    Call<GLuint, GLsizei, const GLchar* const*, const GLint*> ShaderSource{};
+    Call<GLuint> CompileShader{};
+    Call<GLuint, GLenum, GLint*> GetShaderiv{};
+    Call<GLuint, GLsizei, GLsizei*, GLchar*> GetShaderInfoLog{};
+    Call<GLuint> DeleteShader{};
     std::function<GLuint()> CreateProgram{};
-    Call<GLuint> UseProgram{};
+    Call<GLuint, GLuint> AttachShader{};
+    Call<GLuint> LinkProgram{};
+    Call<GLuint, GLenum, GLint*> GetProgramiv{};
+    Call<GLuint, GLsizei, GLsizei*, GLchar*> GetProgramInfoLog{};
+    Call<GLuint> UseProgram{}, DeleteProgram{};
+    std::function<GLint(GLuint, const GLchar*)> GetUniformLocation{};
+    Call<GLint, GLint> Uniform1i{};
+    Call<GLint, GLfloat> Uniform1f{};
+    Call<GLint, GLsizei, const GLdouble*> Uniform4dv{};
+    Call<GLint, GLsizei, GLboolean, const GLfloat*> UniformMatrix3fv{};
+
+    // Buffers
+    Call<GLsizei, GLuint*> GenBuffers{};
+    Call<GLsizei, const GLuint*> DeleteBuffers{};
+    Call<GLenum, GLuint> BindBuffer{};
+    Call<GLenum, GLuint, GLuint> BindBufferBase{};
+    Call<GLenum, GLsizeiptr, const void*, GLenum> BufferData{};
+    Call<GLenum, GLintptr, GLsizeiptr, void*> GetBufferSubData{};
+    Call<GLbitfield> MemoryBarrier{};
+    Call<GLenum, GLsizei, GLenum, const void*> DrawElements{};
 
     Call<> Finish{};
     std::function<GLenum()> GetError{};

@@ -32,15 +32,20 @@ class FaceCounter {
         gl.Enable(GL_CULL_FACE);
     }
 
-    FaceCounts count(std::span<const glm::vec4> volume) {
+    /// The faces of volume @p index before the surface, or behind it where @p behind.
+    FaceCounts count(const FrameVolumes& volumes, std::size_t index, bool behind) {
         const GlTable& gl = m_surface.driver();
         gl.Clear(GL_COLOR_BUFFER_BIT);
-        gl.Color4f(1 / 255.0f, 0, 0, 0);
-        gl.CullFace(GL_BACK);
-        draw(volume);
-        gl.Color4f(0, 1 / 255.0f, 0, 0);
-        gl.CullFace(GL_FRONT);
-        draw(volume);
+        for (const bool back : {false, true}) {
+            gl.Color4f(back ? 0 : 1 / 255.0f, back ? 1 / 255.0f : 0, 0, 0);
+            gl.CullFace(back ? GL_FRONT : GL_BACK);
+            gl.DepthFunc(behind ? GL_GREATER : GL_LEQUAL);
+            for (const Part part : {Part::Sides, Part::FarCap}) draw(volumes.of(part, index));
+            if (!behind) draw(volumes.of(Part::NearCap, index));
+            if (!behind) continue;
+            gl.DepthFunc(GL_GEQUAL);
+            draw(volumes.of(Part::LightCap, index));
+        }
         const Image colour = readColour(m_surface);
         FaceCounts counts;
         for (std::size_t i = 0; i < colour.data.size(); i += 3) {
@@ -52,6 +57,7 @@ class FaceCounter {
 
   private:
     void draw(std::span<const glm::vec4> triangles) {
+        if (triangles.empty()) return;
         m_surface.driver().VertexPointer(4, GL_FLOAT, 0, triangles.data());
         m_surface.driver().DrawArrays(GL_TRIANGLES, 0, GLsizei(triangles.size()));
     }
@@ -59,51 +65,71 @@ class FaceCounter {
     Surface m_surface;
 };
 
-/// Which pixels a mask of limited range calls a shadow, after the fronts and then the backs of each volume.
-/// In steps of a factor of 2 away from the value of a lit pixel: doubling clamps at 1, which is @p range
-/// steps up; halving ends at the lowest code, @p range steps down.
-std::vector<bool> limitedMask(const View& view, const FrameSurfaces& surfaces, const FrameVolumes& volumes,
-                              int depthBits, int range) {
-    FaceCounter counter(view, surfaces, depthBits);
-    std::vector<int> steps(std::size_t(view.width) * view.height);
-    for (std::size_t v = 0; v < volumes.size(); ++v) {
-        const FaceCounts faces = counter.count(volumes[v]);
+/// Which pixels a mask of limited range calls a shadow, after the entries and then the exits of each volume
+/// (fronts and backs before the surface; the other way round behind it). In steps of a factor of 2 away from
+/// the value of a lit pixel: doubling clamps at 1, which is @p range steps up; halving ends at the lowest
+/// code, @p range steps down.
+std::vector<bool> limitedMask(const CauseInputs& in, int range) {
+    const bool behind = in.axes.count == Count::Zfail;
+    FaceCounter counter(in.view, in.surfaces, in.depthBits);
+    std::vector<int> steps(std::size_t(in.view.width) * in.view.height);
+    for (std::size_t v = 0; v < in.volumes.size(); ++v) {
+        const FaceCounts faces = counter.count(in.volumes, v, behind);
+        const auto &entries = behind ? faces.backs : faces.fronts, &exits = behind ? faces.fronts : faces.backs;
         for (std::size_t i = 0; i < steps.size(); ++i)
-            steps[i] = std::min(steps[i] + faces.fronts[i], range) - faces.backs[i];
+            steps[i] = std::min(steps[i] + entries[i], range) - exits[i];
     }
     std::vector<bool> shadow(steps.size());
     std::transform(steps.begin(), steps.end(), shadow.begin(), [](int s) { return s > 0; });
     return shadow;
 }
 
+/// Which pixels a bit calls a shadow that each face inverts: one bit for each volume in a stencil, one for
+/// all of them in a colour.
+std::vector<bool> parityMask(const CauseInputs& in) {
+    const bool folds = in.axes.store == Store::Stencil;
+    FaceCounter counter(in.view, in.surfaces, in.depthBits);
+    std::vector<bool> shadow(std::size_t(in.view.width) * in.view.height);
+    for (std::size_t v = 0; v < in.volumes.size(); ++v) {
+        const FaceCounts faces = counter.count(in.volumes, v, in.axes.count == Count::Zfail);
+        for (std::size_t i = 0; i < shadow.size(); ++i) {
+            const bool odd = (faces.fronts[i] + faces.backs[i]) % 2 != 0;
+            shadow[i] = folds ? shadow[i] || odd : shadow[i] != odd;
+        }
+    }
+    return shadow;
+}
+
 }  // namespace
 
-std::map<std::string, int> causesOf(const Judgement& judgement, const Truth& truth, const Axes& axes,
-                                    const View& view, const FrameSurfaces& surfaces,
-                                    const FrameVolumes& volumes, bool eyeInVolume, int depthBits,
-                                    int maskBits) {
-    if (judgement.wrong() == 0) return {};
-    if (axes.store == Store::None) return {{"no shadow is drawn", judgement.wrong()}};
-    if (axes.count == Count::Zpass && eyeInVolume) return {{"eye inside a volume", judgement.wrong()}};
+std::map<std::string, int> causesOf(const CauseInputs& in) {
+    const int wrong = in.judgement.wrong();
+    if (wrong == 0) return {};
+    if (in.axes.store == Store::None) return {{"no shadow is drawn", wrong}};
+    if (in.axes.store == Store::DepthMap) return {{"shadow-map resolution or bias", wrong}};
+    if (in.axes.count == Count::Zpass && in.eyeInVolume) return {{"eye inside a volume", wrong}};
 
     std::map<std::string, int> causes;
     const auto each = [&](const auto& causeOf) {
-        for (std::size_t i = 0; i < judgement.pixels.size(); ++i) {
-            const PixelVerdict verdict = judgement.pixels[i];
+        for (std::size_t i = 0; i < in.judgement.pixels.size(); ++i) {
+            const PixelVerdict verdict = in.judgement.pixels[i];
             if (verdict == PixelVerdict::WrongEdge || verdict == PixelVerdict::WrongInterior)
                 ++causes[causeOf(i)];
         }
     };
-    const std::string rest = axes.maskDivisor > 1 ? "low mask resolution" : "unexplained";
-    if (axes.arithmetic != Arithmetic::Count) {
-        const bool doubles = axes.arithmetic == Arithmetic::Double;
-        const std::vector<bool> mask =
-            limitedMask(view, surfaces, volumes, depthBits, doubles ? axes.levels : maskBits);
-        const std::string limit = doubles ? "mask clamps" : "mask underflows";
-        each([&](std::size_t i) { return mask[i] != truth.blocked[i] ? limit : rest; });
+    const std::string rest = in.axes.maskDivisor > 1 ? "low mask resolution" : "unexplained";
+    if (in.axes.arithmetic == Arithmetic::Count) {
+        each([&](std::size_t) { return rest; });
         return causes;
     }
-    each([&](std::size_t) { return rest; });
+    const bool doubles = in.axes.arithmetic == Arithmetic::Double;
+    const bool parity = in.axes.arithmetic == Arithmetic::Parity;
+    const std::vector<bool> mask =
+        parity ? parityMask(in) : limitedMask(in, doubles ? in.axes.levels : in.maskBits);
+    const std::string limit = parity    ? "parity of overlapping volumes"
+                              : doubles ? "mask clamps"
+                                        : "mask underflows";
+    each([&](std::size_t i) { return mask[i] != in.truth.blocked[i] ? limit : rest; });
     return causes;
 }
 

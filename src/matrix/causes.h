@@ -9,19 +9,25 @@
 
 namespace gnomon {
 
-/// Why the wrong pixels of a cell are wrong, as far as that can be told without a predictor; the counts add
-/// up to the wrong pixels.
+/// What a light's mask was drawn from.
+struct CauseInputs {
+    const Judgement& judgement;
+    const Truth& truth;
+    const Axes& axes;
+    const View& view;
+    const FrameSurfaces& surfaces;
+    const FrameVolumes& volumes;  ///< with the parts that the method draws
+    bool eyeInVolume = false;     ///< a volume touches the near rectangle
+    int depthBits = 24;
+    int maskBits = 8;  ///< per channel of the mask
+};
+
+/// Why the wrong pixels of one light's mask are wrong, as far as that can be told without a predictor; the
+/// counts add up to the wrong pixels.
 ///
-/// "mask clamps" and "mask underflows" are shown, not guessed: the faces of each volume in front of the
-/// visible surface are counted one by one, and the doubling or halving arithmetic with its limits, run over
-/// the counts, is wrong in the same pixels.
-///
-/// @param eyeInVolume  a volume touches the near rectangle
-/// @param depthBits    of the chip's depth buffer
-/// @param maskBits     per channel of the mask
-std::map<std::string, int> causesOf(const Judgement& judgement, const Truth& truth, const Axes& axes,
-                                    const View& view, const FrameSurfaces& surfaces,
-                                    const FrameVolumes& volumes, bool eyeInVolume, int depthBits,
-                                    int maskBits);
+/// "mask clamps", "mask underflows" and "parity of overlapping volumes" are shown, not guessed: the faces of
+/// each volume are counted one by one, and the arithmetic with its limits, run over the counts, is wrong in
+/// the same pixels.
+std::map<std::string, int> causesOf(const CauseInputs& in);
 
 }  // namespace gnomon

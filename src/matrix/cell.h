@@ -23,6 +23,7 @@ struct Cell {
     std::string profile{}, method{}, scene{};
     Axes axes{};
     int width = 0, height = 0, frame = 0;
+    int lights = 1;
     std::string fidelity = "gl";
 
     Verdict verdict = Verdict::Failed;

@@ -43,6 +43,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"width", c.width},
         {"height", c.height},
         {"frame", c.frame},
+        {"lights", c.lights},
         {"fidelity", c.fidelity},
         {"verdict", name(c.verdict)},
         {"chosen", c.chosen},
@@ -60,6 +61,17 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"unshadowed_ms", rounded(c.unshadowedMs)},
         {"digest", c.digest},
     };
+    // Options are there where they differ from what the method's row has.
+    const Axes& a = c.axes;
+    if (a.start != Start::Zero) json["start"] = name(a.start);
+    if (a.overflow != Overflow::Either) json["overflow"] = name(a.overflow);
+    if (a.capFaces != CapFaces::Lit) json["caps"] = name(a.capFaces);
+    if (a.clip != Clip::Frustum) json["clip"] = name(a.clip);
+    if (a.offset != 0) json["offset"] = a.offset;
+    if (a.store == Store::DepthMap) {
+        json["map_size"] = a.mapSize;
+        json["map_bias"] = a.mapBias;
+    }
     if (c.axes.maskDivisor == 1) json["mask_scale"] = 1;
     if (c.axes.arithmetic != Arithmetic::Double) json.erase("levels");
     if (c.verdict == Verdict::Failed) json["error"] = c.error;
@@ -69,14 +81,22 @@ nlohmann::ordered_json toJson(const Cell& c) {
 Cell cellFromJson(const nlohmann::ordered_json& j) {
     Cell c;
     c.profile = j.at("profile"), c.method = j.at("method"), c.scene = j.at("scene");
-    c.axes.store = wordOf<Store>(j.at("store"), 4);
-    c.axes.arithmetic = wordOf<Arithmetic>(j.at("arithmetic"), 3);
+    c.axes.store = wordOf<Store>(j.at("store"), kStores);
+    c.axes.arithmetic = wordOf<Arithmetic>(j.at("arithmetic"), kArithmetics);
     c.axes.levels = j.value("levels", 0);
-    c.axes.count = wordOf<Count>(j.at("count"), 2);
-    c.axes.silhouette = wordOf<Silhouette>(j.at("silhouette"), 2);
+    c.axes.count = wordOf<Count>(j.at("count"), kCounts);
+    c.axes.silhouette = wordOf<Silhouette>(j.at("silhouette"), kSilhouettes);
     c.axes.maskDivisor = int(std::lround(1 / double(j.at("mask_scale"))));
     c.axes.apply = wordOf<Apply>(j.at("apply"), 2);
-    c.axes.shade = wordOf<Shade>(j.at("shade"), 3);
+    c.axes.shade = wordOf<Shade>(j.at("shade"), kShades);
+    c.axes.start = wordOf<Start>(j.value("start", name(Start::Zero)), kStarts);
+    c.axes.overflow = wordOf<Overflow>(j.value("overflow", name(Overflow::Either)), kOverflows);
+    c.axes.capFaces = wordOf<CapFaces>(j.value("caps", name(CapFaces::Lit)), kCapFaces);
+    c.axes.clip = wordOf<Clip>(j.value("clip", name(Clip::Frustum)), kClips);
+    c.axes.offset = j.value("offset", 0.0f);
+    c.axes.mapSize = j.value("map_size", 0);
+    c.axes.mapBias = j.value("map_bias", 0.0f);
+    c.lights = j.at("lights");
     c.width = j.at("width"), c.height = j.at("height"), c.frame = j.at("frame");
     c.fidelity = j.at("fidelity");
     c.verdict = wordOf<Verdict>(j.at("verdict"), 5);

@@ -20,6 +20,7 @@ bool nearBoundary(const Truth& truth, int x, int y, int reach) {
 Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor, bool clamps) {
     Judgement out;
     out.pixels.assign(truth.shadow.size(), PixelVerdict::Right);
+    out.tiedByTruth.assign(truth.shadow.size(), false);
     for (int y = 0; y < truth.height; ++y) {
         for (int x = 0; x < truth.width; ++x) {
             const std::size_t i = std::size_t(y) * truth.width + x;
@@ -30,6 +31,7 @@ Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int mas
             if (countTied || truth.tie[i] == Tie::Truth) {
                 ++(countTied ? out.tiedCount : out.tiedTruth);
                 out.pixels[i] = PixelVerdict::Tied;
+                out.tiedByTruth[i] = !countTied;
                 continue;
             }
             if (maskShadow[i] == truth.blocked[i]) continue;
@@ -37,6 +39,23 @@ Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int mas
             ++(edge ? out.edge : out.interior);
             out.pixels[i] = edge ? PixelVerdict::WrongEdge : PixelVerdict::WrongInterior;
         }
+    }
+    return out;
+}
+
+Judgement combined(const std::vector<Judgement>& lights) {
+    if (lights.size() == 1) return lights.front();
+    Judgement out;
+    out.pixels.assign(lights.front().pixels.size(), PixelVerdict::Right);
+    for (std::size_t i = 0; i < out.pixels.size(); ++i) {
+        for (const Judgement& light : lights) out.pixels[i] = std::max(out.pixels[i], light.pixels[i]);
+        out.edge += out.pixels[i] == PixelVerdict::WrongEdge;
+        out.interior += out.pixels[i] == PixelVerdict::WrongInterior;
+        if (out.pixels[i] != PixelVerdict::Tied) continue;
+        const bool byTruth = std::any_of(lights.begin(), lights.end(), [&](const Judgement& light) {
+            return light.tiedByTruth[i];
+        });
+        ++(byTruth ? out.tiedTruth : out.tiedCount);
     }
     return out;
 }

@@ -6,6 +6,7 @@
 
 #include "gl/capability.h"
 #include "matrix/causes.h"
+#include "volume/blockers.h"
 
 namespace gnomon {
 namespace {
@@ -27,7 +28,8 @@ class Digest {
 
 std::string digestOf(const Rendered& rendered) {
     Digest digest;
-    for (const bool shadow : rendered.maskShadow) digest.add(shadow);
+    for (const std::vector<bool>& mask : rendered.masks)
+        for (const bool shadow : mask) digest.add(shadow);
     for (const std::uint8_t byte : rendered.image.data) digest.add(byte);
     return digest.text();
 }
@@ -36,17 +38,56 @@ Image truthPicture(const Truth& truth) {
     return shadowPicture(truth, truth.blocked);
 }
 
+/// The share of the lights that arrive at each pixel.
+Image averageOf(const std::vector<Image>& pictures) {
+    Image out = pictures.front();
+    for (std::size_t i = 0; i < out.data.size(); ++i) {
+        std::size_t sum = 0;
+        for (const Image& picture : pictures) sum += picture.data[i];
+        out.data[i] = std::uint8_t(sum / pictures.size());
+    }
+    return out;
+}
+
+/// What the frame's volumes are cut from and how; everything about them but the light.
+struct VolumeKey {
+    Silhouette silhouette = Silhouette::Winding;
+    CapFaces capFaces = CapFaces::Lit;
+    Parts parts{};
+    CutStyle style{};
+    friend auto operator<=>(const VolumeKey&, const VolumeKey&) = default;
+};
+
 /// All that a result depends on besides the frame: the buffers, the passes with their states, and how volumes
 /// are built.
-std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes) {
-    std::string key =
-        fmt::format("{}.{}.{}.{}.{}.{} {}x{} {}x{} {} {} {}", f.red, f.green, f.blue, f.alpha, f.depth,
-                    f.stencil, plan.maskWidth, plan.maskHeight, plan.textureWidth, plan.textureHeight,
-                    plan.threshold, name(axes.silhouette), name(axes.count));
+std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes,
+                      const std::vector<VolumeKey>& volumes) {
+    std::string key = fmt::format(
+        "{}.{}.{}.{}.{}.{} {}x{} {}x{} {}x{} {} {} {} {} {}", f.red, f.green, f.blue, f.alpha, f.depth, f.stencil,
+        plan.maskWidth, plan.maskHeight, plan.textureWidth, plan.textureHeight, plan.frameTextureWidth,
+        plan.frameTextureHeight, plan.threshold, plan.shadowShare, plan.mapSize, plan.mapBias, name(plan.clip));
+    for (const VolumeKey& v : volumes) {
+        key += fmt::format(" {} {} {} {} {} ", name(v.silhouette), name(v.capFaces), name(v.style.clip),
+                           v.style.flatten, v.style.offset);
+        for (int part = 0; part < kParts; ++part) key += v.parts.has(Part(part)) ? '1' : '0';
+    }
+    // What decides of causes and of what is a tie.
+    key += fmt::format(" {} {} {}", name(axes.arithmetic), name(axes.store), axes.levels);
     for (const Pass& pass : plan.passes)
-        key += fmt::format("|{} {} {} {}", pass.label, describeState(pass), int(pass.shading),
-                           int(pass.lowResolution));
+        key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading), pass.light,
+                           int(pass.drawn), pass.stencilValue);
     return key;
+}
+
+constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
+
+/// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
+template <class Map, class Make>
+auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
+    const auto found = map.find(key);
+    if (found != map.end()) return found->second;
+    if (map.size() >= kMostKept) map.clear();
+    return map.emplace(key, make()).first->second;
 }
 
 }  // namespace
@@ -55,21 +96,26 @@ struct Lab::Impl {
     explicit Impl(Scene s) : scene(std::move(s)) {}
 
     Scene scene;
-    std::map<Silhouette, std::vector<LitCaster>> lit{};
-    std::map<Silhouette, std::unique_ptr<Tracer>>
+    std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
+    std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
         tracers{};  ///< count ties are about the sides that are drawn
     std::map<std::tuple<BufferFormat, int, int>, std::unique_ptr<Surface>> contexts{};
+    std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
 
     // Of the frame that was asked for last.
     FrameKey key{};
     std::optional<FrameSurfaces> surfaces{};
-    std::map<std::pair<Silhouette, Count>, FrameVolumes> volumes{};
-    std::map<std::pair<int, Silhouette>, Truth> truths{};  ///< by bits of depth
+    std::map<std::pair<int, VolumeKey>, std::shared_ptr<const FrameVolumes>> volumes{};
+    std::map<int, std::shared_ptr<const LightColours>> colours{};
+    std::map<std::tuple<int, int, Silhouette>, std::shared_ptr<const Truth>> truths{};  ///< by light, depth bits
+    std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
     std::map<BufferFormat, double> unshadowed{};
-    std::optional<bool> eyeInside{};
+    std::map<int, bool> eyeInside{};
+    LightFrame current{};
 
-    const Light& light() const { return scene.lights.front(); }
+    int lights() const { return int(scene.lights.size()); }
+    const Light& light(int index) const { return scene.lights[std::size_t(index)]; }
 
     void select(const FrameKey& k) {
         if (k == key) return;
@@ -77,50 +123,82 @@ struct Lab::Impl {
         key = k;
         surfaces.reset();
         volumes.clear();
+        colours.clear();
         truths.clear();
+        shapes.clear();
         results.clear();
         unshadowed.clear();
-        eyeInside.reset();
+        eyeInside.clear();
     }
 
     View view() const { return viewOf(scene.frames[std::size_t(key.frame)], key.width, key.height); }
 
-    const std::vector<LitCaster>& litOf(Silhouette silhouette) {
-        auto [at, isNew] = lit.try_emplace(silhouette);
-        if (isNew) at->second = litCasters(scene, light().position, silhouette);
+    const std::vector<LitCaster>& litOf(int index, Silhouette silhouette, CapFaces capFaces = CapFaces::Lit) {
+        return kept(lit, {index, silhouette, capFaces},
+                    [&] { return litCasters(scene, light(index).position, silhouette, capFaces); });
+    }
+
+    bool eyeInVolumes(int index) {
+        auto [at, isNew] = eyeInside.try_emplace(index);
+        if (isNew)
+            at->second = eyeInVolume(scene, litOf(index, Silhouette::Winding), light(index).position, view());
         return at->second;
     }
 
-    bool eyeInVolumes() {
-        if (!eyeInside) eyeInside = eyeInVolume(scene, litOf(Silhouette::Winding), light().position, view());
-        return *eyeInside;
+    /// Away from all volumes a near cap changes nothing, and all counts before the surface share their
+    /// volumes.
+    VolumeKey volumeKey(const Profile& profile, const Axes& axes, int index) {
+        Parts parts = partsOf(axes.count);
+        const bool capped = parts.has(Part::NearCap) && !eyeInVolumes(index);
+        if (capped) parts = partsOf(Count::Zpass);
+        return {axes.silhouette, axes.capFaces, parts, cutStyleOf(axes, profile.depthClamp)};
     }
 
-    /// @p hasVolumes: the unshadowed frame has none
-    const FrameVolumes& volumesOf(const Axes& axes) {
-        static const FrameVolumes kNone;
-        if (axes.store == Store::None) return kNone;
-        const bool cap = axes.count == Count::ZpassCap && eyeInVolumes();
-        // Away from all volumes a near cap changes nothing, and both counts share their volumes.
-        const Count count = cap ? Count::ZpassCap : Count::Zpass;
-        auto [at, isNew] = volumes.try_emplace({axes.silhouette, count});
-        if (isNew) at->second = frameVolumes(scene, litOf(axes.silhouette), light().position, view(), cap);
-        return at->second;
+    std::shared_ptr<const FrameVolumes> volumesOf(int index, const VolumeKey& k) {
+        return kept(volumes, {index, k}, [&] {
+            return std::make_shared<const FrameVolumes>(frameVolumes(scene,
+                                                                     litOf(index, k.silhouette, k.capFaces),
+                                                                     light(index).position, view(), k.parts,
+                                                                     k.style));
+        });
     }
 
     const FrameSurfaces& surfacesOf() {
-        if (!surfaces) surfaces = frameSurfaces(scene, light(), view());
+        if (!surfaces) surfaces = frameSurfaces(scene, view());
         return *surfaces;
     }
 
-    const Truth& truthOf(int depthBits, Silhouette silhouette) {
-        auto [at, isNew] = truths.try_emplace({depthBits, silhouette});
-        if (isNew) {
-            auto& tracer = tracers[silhouette];
-            if (!tracer) tracer = std::make_unique<Tracer>(scene, light(), silhouette);
-            at->second = tracer->trace(view(), depthTies(depthBits));
-        }
-        return at->second;
+    std::shared_ptr<const LightColours> coloursOf(int index) {
+        return kept(colours, index, [&] {
+            return std::make_shared<const LightColours>(lightColours(scene, light(index), view(), surfacesOf()));
+        });
+    }
+
+    /// What light @p index adds to a frame that is drawn by @p plan.
+    const LightFrame& lightFrame(const Profile& profile, const Axes& axes, const Plan& plan, int index) {
+        const auto draws = [&](auto predicate) {
+            return std::any_of(plan.passes.begin(), plan.passes.end(), predicate);
+        };
+        current = {.colours = coloursOf(index)};
+        if (draws([](const Pass& p) { return p.kind == PassKind::Volume && p.drawn == Drawn::Volumes; }))
+            current.volumes = volumesOf(index, volumeKey(profile, axes, index));
+        if (draws([](const Pass& p) { return p.drawn == Drawn::Blockers; }))
+            current.blockers = eyeBlockers(scene, litOf(index, axes.silhouette, axes.capFaces),
+                                           light(index).position, view().eye);
+        if (draws([](const Pass& p) { return p.drawn == Drawn::Silhouettes; }))
+            current.silhouettes = silhouetteMesh(scene, light(index).position, view());
+        if (draws([](const Pass& p) { return p.target == Target::DepthMap; }))
+            current.depthMap = depthMapFrame(scene, light(index), surfacesOf());
+        return current;
+    }
+
+    std::shared_ptr<const Truth> truthOf(int index, int depthBits, Silhouette silhouette) {
+        return kept(truths, {index, depthBits, silhouette}, [&] {
+            const auto& tracer = kept(tracers, {index, silhouette}, [&] {
+                return std::make_shared<Tracer>(scene, light(index), silhouette);
+            });
+            return std::make_shared<const Truth>(tracer->trace(view(), depthTies(depthBits)));
+        });
     }
 
     Surface& contextOf(const BufferFormat& format) {
@@ -132,16 +210,59 @@ struct Lab::Impl {
     double unshadowedMs(const Profile& profile, const BufferFormat& format) {
         auto [at, isNew] = unshadowed.try_emplace(format);
         if (isNew) {
-            const Plan plan = planFrame({.store = Store::None}, {0, key.width, key.height}, profile);
+            const Axes none{.store = Store::None};
+            const Plan plan = planOf(profile, none);
+            const auto frames = [&](int index) -> const LightFrame& {
+                return lightFrame(profile, none, plan, index);
+            };
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
-                at->second = render(contextOf(format), profile, plan, surfacesOf(), {}).cpuMs;
+                at->second = render(contextOf(format), profile, plan, surfacesOf(), frames).cpuMs;
         }
         return at->second;
     }
 
+    LightShape shapeOf(const Profile& profile, const Axes& axes, int index) {
+        LightShape shape{.directional = light(index).position.w == 0};
+        if (axes.store == Store::None || axes.store == Store::DepthMap) return shape;
+        if (axes.start == Start::Bias)
+            shape.holdingEye = holdingEye(scene, litOf(index, axes.silhouette, axes.capFaces),
+                                          light(index).position, view().eye);
+        if (axes.count == Count::AtomicZp) {
+            shape.volumes = 1;  // in one draw
+            return shape;
+        }
+        const VolumeKey k = volumeKey(profile, axes, index);
+        auto [at, isNew] = shapes.try_emplace({index, k});
+        if (isNew) at->second.volumes = int(volumesOf(index, k)->size());
+        shape.volumes = at->second.volumes;
+        return shape;
+    }
+
     Plan planOf(const Profile& profile, const Axes& axes) {
-        return planFrame(axes, {int(volumesOf(axes).size()), key.width, key.height}, profile);
+        FrameShape frame{.width = key.width, .height = key.height};
+        for (int i = 0; i < lights(); ++i) frame.lights.push_back(shapeOf(profile, axes, i));
+        return planFrame(axes, frame, profile);
+    }
+
+    std::vector<VolumeKey> volumeKeys(const Profile& profile, const Axes& axes) {
+        std::vector<VolumeKey> keys;
+        const bool hasVolumes = axes.store != Store::None && axes.store != Store::DepthMap;
+        for (int i = 0; hasVolumes && i < lights(); ++i) keys.push_back(volumeKey(profile, axes, i));
+        return keys;
+    }
+
+    /// What the chip lacks, and what the silhouette's builder can't take.
+    std::vector<Missing> missingOf(const Profile& profile, const Axes& axes, const Plan& plan) {
+        std::vector<Missing> all = missing(profile, plan);
+        if (axes.store == Store::None || axes.store == Store::DepthMap) return all;
+        auto [at, isNew] = refusals.try_emplace({axes.silhouette, axes.capFaces});
+        if (isNew) at->second = refusal(scene, axes.silhouette, axes.capFaces);
+        if (at->second)
+            all.push_back({"silhouette", *at->second,
+                           axes.capFaces == CapFaces::Away ? "Aldridge and Woods, section 2"
+                                                           : "Crow 1977; Bergeron 1986"});
+        return all;
     }
 
     void draw(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan, Pictures* pictures,
@@ -151,26 +272,77 @@ struct Lab::Impl {
         Surface& surface = contextOf(format);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
-        const Rendered rendered = render(surface, profile, plan, surfacesOf(), volumesOf(axes), each);
-        const Truth& truth = truthOf(format.depth, axes.silhouette);
-        const Judgement judgement =
-            judge(truth, rendered.maskShadow, axes.maskDivisor, axes.arithmetic != Arithmetic::Count);
+        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
+            if (index != last) lightFrame(profile, axes, plan, index);
+            last = index;
+            return current;
+        };
+        Rendered rendered = render(surface, profile, plan, surfacesOf(), frames, each);
+        rendered.masks.resize(std::size_t(lights()), rendered.masks.front());
 
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.cpuMs = rendered.cpuMs;
+        const Judgement judgement = judged(cell, profile, axes, format, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
         cell.wrongEdge = judgement.edge, cell.wrongInterior = judgement.interior;
         cell.verdict = judgement.interior ? Verdict::Wrong : judgement.edge ? Verdict::Edge : Verdict::Exact;
-        cell.causes = causesOf(
-            judgement, truth, axes, view(), surfacesOf(), volumesOf(axes), eyeInVolumes(), format.depth,
-            axes.store == Store::Alpha ? format.alpha : std::min({format.red, format.green, format.blue}));
         surface.makeCurrent();
         cell.digest = digestOf(rendered);
-        if (pictures)
-            *pictures = {rendered.image, shadowPicture(truth, rendered.maskShadow), truthPicture(truth),
-                         judgement};
+        if (pictures) pictures->image = rendered.image, pictures->judgement = judgement;
+    }
+
+    /// Holds each light's mask against its truth; adds causes, and the pictures of masks and truth.
+    Judgement judged(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format,
+                     const Rendered& rendered, Pictures* pictures) {
+        const bool clamps = axes.arithmetic != Arithmetic::Count;
+        std::vector<Judgement> judgements;
+        std::vector<Image> masks, truthPictures;
+        std::vector<bool> explained(std::size_t(key.width) * std::size_t(key.height));
+        for (int i = 0; i < lights(); ++i) {
+            const auto truth = truthOf(i, format.depth, axes.silhouette);
+            const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
+            judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
+            if (pictures) {
+                masks.push_back(shadowPicture(*truth, mask));
+                truthPictures.push_back(truthPicture(*truth));
+            }
+            // Of several lights that are wrong in a pixel the first explains it.
+            Judgement own = judgements.back();
+            own.edge = own.interior = 0;
+            for (std::size_t p = 0; p < own.pixels.size(); ++p) {
+                if (explained[p]) own.pixels[p] = PixelVerdict::Right;
+                own.edge += own.pixels[p] == PixelVerdict::WrongEdge;
+                own.interior += own.pixels[p] == PixelVerdict::WrongInterior;
+                if (own.pixels[p] >= PixelVerdict::WrongEdge) explained[p] = true;
+            }
+            if (own.wrong() > 0) addCauses(cell, profile, axes, format, i, own, *truth);
+        }
+        if (pictures) pictures->mask = averageOf(masks), pictures->truth = averageOf(truthPictures);
+        return combined(judgements);
+    }
+
+    void addCauses(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format, int index,
+                   const Judgement& judgement, const Truth& truth) {
+        static const FrameVolumes kNone;
+        const bool hasVolumes = axes.store != Store::None && axes.store != Store::DepthMap &&
+                                axes.count != Count::AtomicZp;
+        const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
+                                      : std::shared_ptr<const FrameVolumes>();
+        const auto causes =
+            causesOf({.judgement = judgement,
+                      .truth = truth,
+                      .axes = axes,
+                      .view = view(),
+                      .surfaces = surfacesOf(),
+                      .volumes = drawn ? *drawn : kNone,
+                      .eyeInVolume = eyeInVolumes(index),
+                      .depthBits = format.depth,
+                      .maskBits = axes.store == Store::Alpha
+                                      ? format.alpha
+                                      : std::min({format.red, format.green, format.blue})});
+        for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };
 
@@ -183,37 +355,45 @@ const Scene& Lab::scene() const {
 
 Plan Lab::plan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
     m_impl->select({width, height, frame});
-    return m_impl->planOf(profile, axes);
+    return m_impl->planOf(profile, normalised(axes));
+}
+
+std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {
+    return m_impl->missingOf(profile, normalised(axes), plan);
 }
 
 std::vector<Lab::Candidate> Lab::path(const Profile& profile, int width, int height, int frame) {
     m_impl->select({width, height, frame});
     std::vector<Candidate> tried;
     for (Axes axes : pathCandidates()) {
-        if (axes.store == Store::Stencil && m_impl->eyeInVolumes()) axes.count = Count::ZpassCap;
+        bool inside = false;
+        for (int i = 0; i < m_impl->lights() && !inside; ++i) inside = m_impl->eyeInVolumes(i);
+        if (axes.store == Store::Stencil && inside) axes.count = Count::ZpassCap;
         tried.push_back({axes, missing(profile, m_impl->planOf(profile, axes))});
         if (tried.back().missing.empty()) break;
     }
     return tried;
 }
 
-Cell Lab::run(const Profile& profile, const Axes& axes, int width, int height, int frame, Pictures* pictures,
+Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, int frame, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
     m_impl->select({width, height, frame});
+    const Axes axes = normalised(given);
     Cell cell;
     cell.profile = profile.id, cell.method = methodId(axes), cell.scene = m_impl->scene.id;
     cell.axes = axes;
     cell.width = width, cell.height = height, cell.frame = frame;
     cell.pixels = width * height;
+    cell.lights = m_impl->lights();
     try {
         const Plan plan = m_impl->planOf(profile, axes);
-        cell.missing = missing(profile, plan);
+        cell.missing = m_impl->missingOf(profile, axes, plan);
         if (!cell.missing.empty()) {
             cell.verdict = Verdict::Refused;
             cell.passes = countPasses(plan);
             return cell;
         }
-        const std::string key = resultKey(bufferFormatOf(profile), plan, axes);
+        const std::string key = resultKey(bufferFormatOf(profile), plan, axes, m_impl->volumeKeys(profile, axes));
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;

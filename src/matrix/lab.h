@@ -17,12 +17,12 @@ namespace gnomon {
 /// The pictures of one cell.
 struct Pictures {
     Image image{};
-    Image mask{};   ///< shadowPicture()
+    Image mask{};   ///< shadowPicture(); of several lights the average
     Image truth{};  ///< the same from the tracer
     Judgement judgement{};
 };
 
-/// Draws and judges the cells of one scene under its first light. Keeps what cells share: truth, surfaces and
+/// Draws and judges the cells of one scene. Keeps what cells share: truth, surfaces and
 /// volumes of the frame that was asked for last, OpenGL contexts, and results of cells that look alike to the
 /// plan, the buffers and the chip's arithmetic, which are drawn once.
 class Lab {
@@ -43,6 +43,9 @@ class Lab {
 
     /// The plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
+
+    /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the scene.
+    std::vector<Missing> missingFor(const Profile& profile, const Axes& axes, const Plan& plan);
 
     /// One step on the way to a chip's path.
     struct Candidate {

@@ -157,7 +157,7 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format) 
     std::vector<std::vector<std::string>> rows{
         {"method", "store", "arithmetic", "count", "mask_scale", "apply", "source", "summary"}};
     for (const NamedMethod& m : methods) {
-        const bool none = m.axes.store == Store::None;
+        const bool none = m.axes.store == Store::None || m.axes.store == Store::DepthMap;
         rows.push_back({m.id, name(m.axes.store), none ? "-" : name(m.axes.arithmetic),
                         none ? "-" : name(m.axes.count), none ? "-" : maskScaleName(m.axes.maskDivisor),
                         none ? "-" : name(m.axes.apply), m.source, m.summary});

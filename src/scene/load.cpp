@@ -114,8 +114,6 @@ Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrid
     const bool isGltf = file.extension() == ".gltf" || file.extension() == ".glb";
     if (overrides.ground.value_or(!isToml && !isGltf)) scene.objects.push_back(groundBelow(bounds));
     applyOverrides(overrides, bounds, scene);
-    if (scene.lights.size() > 1)
-        scene.notes.push_back(fmt::format("{} lights in the file; the first is used", scene.lights.size()));
     return scene;
 }
 

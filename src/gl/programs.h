@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+
+#include "gl/depth_map.h"
+#include "gl/silhouette_mesh.h"
+#include "gl/table.h"
+#include "plan/plan.h"
+
+namespace gnomon {
+
+/// The programs that some plans need, compiled when first used, and the buffers that they read.
+class Programs {
+  public:
+    explicit Programs(const GlTable& table) : gl(table) {}
+    ~Programs();
+    Programs(const Programs&) = delete;
+    Programs& operator=(const Programs&) = delete;
+
+    /// Binds Program::CountFaces: adds @p frontCount where a front face is drawn, subtracts it at a back face.
+    void useCountFaces(int frontCount);
+    /// Binds Program::ShadeCount. @p shadowShare: of the source colour where the count is not 0
+    void useShadeCount(float shadowShare);
+    /// Binds the comparison with a depth map whose faces are the textures bound to units 0, 1, ...
+    void useDepthMap(const DepthMapFrame& map, int size, float bias, float shadowShare);
+    /// Draws the silhouettes' volumes with a geometry shader.
+    /// @return  how many lit triangles hide the eye, as its atomic counter says
+    int drawSilhouettes(const SilhouetteMesh& mesh, Clip clip);
+    /// Back to fixed functions.
+    void useNone() { gl.UseProgram(0); }
+
+  private:
+    struct Stage {
+        GLenum type = 0;
+        const char* source = nullptr;
+    };
+    GLuint compiled(const char* name, std::initializer_list<Stage> stages);
+    GLint uniform(const char* name) const { return gl.GetUniformLocation(m_current, name); }
+
+    const GlTable& gl;
+    std::map<std::string, GLuint> m_programs{};
+    GLuint m_current = 0;
+};
+
+}  // namespace gnomon
