@@ -272,13 +272,35 @@ void drawSide(int from, int to, int weight) {
     }
 }
 
+// The part of the light cap before the near plane, which no surface shows. Drawn from the vertex with the
+// smallest index and then the smaller of the others.
+void drawNearCap(int own, Corner face[4]) {
+    int a = 0, b = 2, c = 4;
+    for (int k = 0; k < 2; ++k) {
+        if (v[a].id > v[b].id || v[a].id > v[c].id) {
+            int t = a;
+            a = b;
+            b = c;
+            c = t;
+        }
+    }
+    bool reversed = v[b].id > v[c].id;
+    face[0] = Corner(a, false);
+    face[1] = Corner(reversed ? c : b, false);
+    face[2] = Corner(reversed ? b : c, false);
+    face[3] = face[0];
+    nearPart(face, 3);
+    emitPolygon(reversed == (own > 0), 1);
+}
+
 void main() {
     int own = facing(0, 2, 4);
     if (gl_InvocationID == 3) {
         if (own == 0) return;
         if (hidesEye(own)) atomicCounterIncrement(blockers);
-        if (directional()) return;
         Corner face[4];
+        drawNearCap(own, face);
+        if (directional()) return;
         face[0] = Corner(own > 0 ? 0 : 2, true);
         face[1] = Corner(4, true);
         face[2] = Corner(own > 0 ? 2 : 0, true);

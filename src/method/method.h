@@ -41,7 +41,7 @@ struct Axes {
     bool operator==(const Axes&) const = default;
 };
 constexpr int kDefaultMapSize = 1024;
-constexpr float kDefaultMapBias = 0.002f;
+constexpr float kDefaultMapBias = 0.02f;
 
 /// A row of the table of named methods.
 struct NamedMethod {

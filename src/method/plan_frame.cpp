@@ -20,7 +20,7 @@ Parts partsOf(Count count) {
         case Count::Zfail:
             return open | Part::LightCap;
         case Count::PlusPlusZp:
-            return open | Part::NearSides;
+            return open | Part::NearFaces;
         case Count::AtomicZp:
             return {};  // made by a geometry shader
     }

@@ -25,15 +25,15 @@ void cutVolume(const Scene& scene, const LitCaster& caster, const glm::vec4& lig
         for (int i = 0; i < times; ++i) sink(part, pointsOf(polygon), reversed);
     };
 
-    if (parts.has(Part::Sides) || parts.has(Part::NearSides)) {
-        const bool near = parts.has(Part::NearSides) && style.clip == Clip::Frustum;
+    if (parts.has(Part::Sides) || parts.has(Part::NearFaces)) {
+        const bool near = parts.has(Part::NearFaces) && style.clip == Clip::Frustum;
         for (const Side& side : caster.sides) {
             // Sides that hang from one edge in opposite directions are the same face.
             const bool reversed = side.from < side.to;
             const Face face =
                 reversed ? sideFace(space, side.to, side.from) : sideFace(space, side.from, side.to);
             if (parts.has(Part::Sides)) add(Part::Sides, visible(face), reversed, side.weight);
-            if (near) add(Part::NearSides, space.before(face, style.flatten), reversed, side.weight);
+            if (near) add(Part::NearFaces, space.before(face, style.flatten), reversed, side.weight);
         }
     }
     if (parts.has(Part::FarCap) && !space.directional())
@@ -42,6 +42,12 @@ void cutVolume(const Scene& scene, const LitCaster& caster, const glm::vec4& lig
         for (const glm::uvec3& t : caster.lit) {
             const Canonical c = canonical(t);
             add(Part::LightCap, visible(lightCap(c.triangle)), c.reversed);
+        }
+    }
+    if (parts.has(Part::NearFaces)) {
+        for (const glm::uvec3& t : caster.lit) {
+            const Canonical c = canonical(t);
+            add(Part::NearFaces, space.before(lightCap(c.triangle), style.flatten), c.reversed);
         }
     }
     if (parts.has(Part::NearCap))

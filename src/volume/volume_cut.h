@@ -13,7 +13,7 @@ namespace gnomon {
 /// The faces of a volume, by what they are needed for. Beyond the near plane unless it says otherwise.
 enum class Part : std::uint8_t {
     Sides,      ///< from the edges of the silhouette to infinity
-    NearSides,  ///< their part between the plane through the eye and the near plane
+    NearFaces,  ///< sides and light cap between the plane through the eye and the near plane
     FarCap,     ///< the caps' triangles at infinity, turned round; a directional light has none
     LightCap,   ///< the caps' triangles themselves
     NearCap,    ///< at the near plane, z = -w to the bit; front faces
@@ -51,7 +51,7 @@ constexpr int kClips = 3;
 /// How the volumes of a frame are cut.
 struct CutStyle {
     Clip clip = Clip::Frustum;
-    bool flatten = true;  ///< NearSides lie in the near plane; else they keep their depth, for a depth clamp
+    bool flatten = true;  ///< NearFaces lie in the near plane; else they keep their depth, for a depth clamp
     float offset = 0;     ///< volumes start this far behind their caster, away from the light, world units
     friend auto operator<=>(const CutStyle&, const CutStyle&) = default;
 };
@@ -69,7 +69,7 @@ using PolygonSink = std::function<void(Part part, std::span<const glm::vec4> pol
 /// edges at infinity have w = 0. Faces that coincide but for their winding (sides of two volumes that share
 /// an edge, a cap and its surface) are the same polygon, once reversed.
 ///
-/// Clip Eye and None don't split sides: Sides then are all of them, and NearSides nothing.
+/// Clip Eye and None don't split sides: Sides then are all of them, and NearFaces only the light cap.
 void cutVolume(const Scene& scene, const LitCaster& caster, const glm::vec4& light, const View& view,
                Parts parts, const CutStyle& style, const PolygonSink& sink);
 

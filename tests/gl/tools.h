@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gl/frame.h"
+#include "gl/light_frame.h"
 #include "method/method.h"
 #include "profile/profile.h"
 #include "scene/primitives.h"
@@ -39,17 +39,26 @@ inline Scene twoBoxes() {
     return scene;
 }
 
-/// What one frame of a scene is drawn from.
+/// What one frame of a scene with one light is drawn from.
 struct Frame {
     FrameSurfaces surfaces{};
-    FrameVolumes volumes{};
+    LightFrame light{};
+
+    const FrameVolumes& volumes() const { return *light.volumes; }
+    LightFrames lights() const {
+        return [this](int) -> const LightFrame& { return light; };
+    }
 };
 
-inline Frame frameOf(const Scene& scene, int width, int height, bool nearCap = true, std::size_t frame = 0) {
+inline Frame frameOf(const Scene& scene, int width, int height, Parts parts = Part::Sides | Part::FarCap | Part::NearCap,
+                     std::size_t frame = 0) {
     const View view = viewOf(scene.frames.at(frame), width, height);
     const Light& light = scene.lights.front();
     const auto lit = litCasters(scene, light.position, Silhouette::Winding);
-    return {frameSurfaces(scene, light, view), frameVolumes(scene, lit, light.position, view, nearCap)};
+    Frame out{.surfaces = frameSurfaces(scene, view)};
+    out.light.colours = std::make_shared<LightColours>(lightColours(scene, light, view, out.surfaces));
+    out.light.volumes = std::make_shared<FrameVolumes>(frameVolumes(scene, lit, light.position, view, parts));
+    return out;
 }
 
 /// All methods that don't contradict themselves: the full product of the axes that shape a plan, at

@@ -9,6 +9,7 @@
 #include <map>
 #include <random>
 
+#include "cut_lists.h"
 #include "shapes.h"
 #include "volume/orient.h"
 
@@ -16,6 +17,10 @@ namespace gnomon {
 namespace {
 
 using ::testing::IsEmpty;
+
+/// What z-pass draws: the light cap is left open.
+constexpr std::array kOpenVolume{Part::Sides, Part::FarCap, Part::NearCap};
+constexpr std::array kClosedVolume{Part::Sides, Part::FarCap, Part::NearCap, Part::LightCap};
 
 struct Case {
     Scene scene{};
@@ -90,33 +95,29 @@ bool crossesNearPlane(const Case& c) {
            std::all_of(positions.begin(), positions.end(), beyond);
 }
 
-TEST(CutAtNearPlane, ClosesTheVolumeToTheBit) {
+TEST(CutVolume, ClosesTheVolumeToTheBit) {
     int cut = 0;
     for (unsigned seed = 0; seed < 600; ++seed) {
         const Case c = randomCase(seed, seed % 7 ? Silhouette::Winding : Silhouette::PerTriangle);
         if (crossesNearPlane(c))
             continue;  // there, the light cap that is left out has edges in the plane, too
-        const NearCut near = cutAtNearPlane(c.scene, c.lit, c.light, c.view);
+        const CutLists near = listsOf(c.scene, c.lit, c.light, c.view);
         Balance balance;
-        balance.add(near.fronts);
-        balance.add(near.backs);
-        balance.add(near.cap);
+        for (const Part part : kOpenVolume) balance.add(near[part]);
         ASSERT_EQ(balance.open([](const glm::vec4& p) { return p.z == -p.w; }), 0) << seed;
-        cut += !near.cap.empty();
+        cut += !near[Part::NearCap].empty();
     }
     EXPECT_GT(cut, 100);
 }
 
-TEST(CutAtNearPlane, IsClosedWithItsLightCapWhereTheMeshCrossesThePlane) {
+TEST(CutVolume, IsClosedWithItsLightCapWhereTheMeshCrossesThePlane) {
     int cut = 0;
     for (unsigned seed = 0; seed < 600; ++seed) {
         const Case c = randomCase(seed);
         if (!crossesNearPlane(c)) continue;
-        const NearCut near = cutAtNearPlane(c.scene, c.lit, c.light, c.view);
+        const CutLists near = listsOf(c.scene, c.lit, c.light, c.view);
         Balance balance;
-        balance.add(near.fronts);
-        balance.add(near.backs);
-        balance.add(near.cap);
+        for (const Part part : kOpenVolume) balance.add(near[part]);
 
         // What stays open is the line in which the lit triangles themselves meet the near plane.
         const auto& mesh = c.scene.objects[0].mesh;
@@ -136,17 +137,17 @@ TEST(CutAtNearPlane, IsClosedWithItsLightCapWhereTheMeshCrossesThePlane) {
     EXPECT_GT(cut, 100);
 }
 
-TEST(CutAtNearPlane, LeavesNothingBeforeThePlane) {
+TEST(CutVolume, LeavesNothingBeforeThePlane) {
     for (unsigned seed = 0; seed < 300; ++seed) {
         const Case c = randomCase(seed);
-        const NearCut near = cutAtNearPlane(c.scene, c.lit, c.light, c.view);
-        for (const auto* list : {&near.fronts, &near.backs, &near.cap}) {
-            for (const glm::vec4& p : *list) {
+        const CutLists near = listsOf(c.scene, c.lit, c.light, c.view);
+        for (const Part part : kClosedVolume) {
+            for (const glm::vec4& p : near[part]) {
                 ASSERT_GE(p.z, -p.w);
                 ASSERT_GE(p.w, 0);
             }
         }
-        for (const glm::vec4& p : near.cap) ASSERT_EQ(p.z, -p.w);
+        for (const glm::vec4& p : near[Part::NearCap]) ASSERT_EQ(p.z, -p.w);
     }
 }
 
@@ -179,11 +180,11 @@ int crossings(const Case& c, const glm::dvec3& q) {
     return count;
 }
 
-TEST(CutAtNearPlane, CapCountsTheTrianglesThatHideThePlaneFromTheLight) {
+TEST(CutVolume, CapCountsTheTrianglesThatHideThePlaneFromTheLight) {
     int covered = 0;
     for (unsigned seed = 0; seed < 300; ++seed) {
         const Case c = randomCase(seed, seed % 2 ? Silhouette::Winding : Silhouette::PerTriangle);
-        const NearCut near = cutAtNearPlane(c.scene, c.lit, c.light, c.view);
+        const CutLists near = listsOf(c.scene, c.lit, c.light, c.view);
         const bool touches = touchesNearRectangle(c.scene, c.lit, c.light, c.view);
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> coordinate(-1, 1);
@@ -191,7 +192,8 @@ TEST(CutAtNearPlane, CapCountsTheTrianglesThatHideThePlaneFromTheLight) {
             const glm::dvec2 q(coordinate(random), coordinate(random));
             double margin = 1;
             int count = 0;
-            for (std::size_t t = 0; t < near.cap.size(); t += 3) count += covers(&near.cap[t], q, margin);
+            for (std::size_t t = 0; t < near[Part::NearCap].size(); t += 3)
+                count += covers(&near[Part::NearCap][t], q, margin);
             if (margin < 1e-5) continue;  // float vertices
             const glm::dvec3 world =
                 c.view.eye + c.view.nearPlane * (c.view.forward + q.x * c.view.tanHalfX * c.view.right +
@@ -206,14 +208,14 @@ TEST(CutAtNearPlane, CapCountsTheTrianglesThatHideThePlaneFromTheLight) {
     EXPECT_GT(covered, 1000);
 }
 
-TEST(CutAtNearPlane, FacesAlongARayCountTheShadow) {
+TEST(CutVolume, FacesAlongARayCountTheShadow) {
     // Before every point of the eye ray: cap + fronts - backs = lit triangles between the point and the
     // light. At infinity nothing is left but the light caps that the ray crosses.
     int counted = 0;
     for (unsigned seed = 0; seed < 200; ++seed) {
         const Case c = randomCase(seed);
         if (crossesNearPlane(c)) continue;
-        const NearCut near = cutAtNearPlane(c.scene, c.lit, c.light, c.view);
+        const CutLists near = listsOf(c.scene, c.lit, c.light, c.view);
         std::mt19937 random(seed);
         std::uniform_real_distribution<double> coordinate(-1, 1);
         const auto& positions = c.scene.objects[0].mesh.positions;
@@ -221,8 +223,9 @@ TEST(CutAtNearPlane, FacesAlongARayCountTheShadow) {
             const glm::dvec2 q(coordinate(random), coordinate(random));
             double margin = 1;
             int count = 0;
-            for (const auto* list : {&near.fronts, &near.backs, &near.cap}) {
-                for (std::size_t t = 0; t < list->size(); t += 3) count += covers(&(*list)[t], q, margin);
+            for (const Part part : kOpenVolume) {
+                for (std::size_t t = 0; t < near[part].size(); t += 3)
+                    count += covers(&near[part][t], q, margin);
             }
             const glm::dvec3 d =
                 c.view.forward + q.x * c.view.tanHalfX * c.view.right + q.y * c.view.tanHalfY * c.view.up;
@@ -275,17 +278,17 @@ TEST(TouchesNearRectangle, RejectsWhatLiesBeyond) {
                                      behind, view));
 }
 
-TEST(CutAtNearPlane, TakesALightInTheNearPlane) {
+TEST(CutVolume, TakesALightInTheNearPlane) {
     const View view = viewOf({.eye = {0, 0, 0}, .target = {0, 0, -1}, .nearPlane = 1}, 100, 100);
     Scene scene = sceneOf(cube({0, 3, -1}, 1));
     for (const glm::vec4 light : {glm::vec4(0, 9, -1, 1), glm::vec4(0, 1, 0, 0)}) {
         const LitCaster lit = litCaster(scene, casters(scene)[0], light, Silhouette::Winding);
         EXPECT_TRUE(touchesNearRectangle(scene, lit, light, view));
-        const NearCut near = cutAtNearPlane(scene, lit, light, view);
+        const CutLists near = listsOf(scene, lit, light, view);
         double margin = 1;
         int count = 0;
-        for (std::size_t t = 0; t < near.cap.size(); t += 3)
-            count += covers(&near.cap[t], {0.123, 0.1}, margin);
+        for (std::size_t t = 0; t < near[Part::NearCap].size(); t += 3)
+            count += covers(&near[Part::NearCap][t], {0.123, 0.1}, margin);
         EXPECT_EQ(count, 1);
     }
 }
