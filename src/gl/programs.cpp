@@ -97,42 +97,39 @@ void check(const GetParameter& get, const GetLog& log, GLuint object, GLenum wha
 
 }  // namespace
 
-Programs::~Programs() {
-    for (const auto& [name, program] : m_programs) gl.DeleteProgram(program);
-}
-
-GLuint Programs::compiled(const char* name, std::initializer_list<Stage> stages) {
-    auto [at, isNew] = m_programs.try_emplace(name);
-    if (isNew) {
-        at->second = gl.CreateProgram();
+void Programs::use(const char* name, std::initializer_list<Stage> stages) {
+    const auto found = m_known.find(m_prefix + name);
+    if (found != m_known.end()) {
+        m_current = found->second;
+    } else {
+        m_current = gl.CreateProgram();
         for (const Stage& stage : stages) {
             const GLuint shader = gl.CreateShader(stage.type);
             gl.ShaderSource(shader, 1, &stage.source, nullptr);
             gl.CompileShader(shader);
             check(gl.GetShaderiv, gl.GetShaderInfoLog, shader, GL_COMPILE_STATUS, name);
-            gl.AttachShader(at->second, shader);
+            gl.AttachShader(m_current, shader);
             gl.DeleteShader(shader);
         }
-        gl.LinkProgram(at->second);
-        check(gl.GetProgramiv, gl.GetProgramInfoLog, at->second, GL_LINK_STATUS, name);
+        gl.LinkProgram(m_current);
+        check(gl.GetProgramiv, gl.GetProgramInfoLog, m_current, GL_LINK_STATUS, name);
+        m_known[m_prefix + name] = m_current;
     }
-    m_current = at->second;
     gl.UseProgram(m_current);
-    return m_current;
 }
 
 void Programs::useCountFaces(int frontCount) {
-    compiled("CountFaces", {{GL_FRAGMENT_SHADER, kCountFaces}});
+    use("CountFaces", {{GL_FRAGMENT_SHADER, kCountFaces}});
     gl.Uniform1i(uniform("front"), frontCount);
 }
 
 void Programs::useShadeCount(float shadowShare) {
-    compiled("ShadeCount", {{GL_FRAGMENT_SHADER, kShadeCount}});
+    use("ShadeCount", {{GL_FRAGMENT_SHADER, kShadeCount}});
     gl.Uniform1f(uniform("share"), shadowShare);
 }
 
 void Programs::useDepthMap(const DepthMapFrame& map, int size, float bias, float shadowShare) {
-    compiled("DepthMap", {{GL_VERTEX_SHADER, kDepthMapVertex}, {GL_FRAGMENT_SHADER, kDepthMapFragment}});
+    use("DepthMap", {{GL_VERTEX_SHADER, kDepthMapVertex}, {GL_FRAGMENT_SHADER, kDepthMapFragment}});
     for (int f = 0; f < 6; ++f) {
         // Units without a map of their own see the first.
         gl.Uniform1i(uniform(fmt::format("faces[{}]", f).c_str()), f < int(map.faces.size()) ? f : 0);
@@ -147,8 +144,7 @@ void Programs::useDepthMap(const DepthMapFrame& map, int size, float bias, float
 }
 
 int Programs::drawSilhouettes(const SilhouetteMesh& mesh, Clip clip) {
-    compiled("Silhouettes",
-             {{GL_VERTEX_SHADER, kSilhouetteVertex}, {GL_GEOMETRY_SHADER, kSilhouetteGeometry}});
+    use("Silhouettes", {{GL_VERTEX_SHADER, kSilhouetteVertex}, {GL_GEOMETRY_SHADER, kSilhouetteGeometry}});
     gl.Uniform4dv(uniform("light"), 1, &mesh.light[0]);
     for (int column = 0; column < 4; ++column)
         gl.Uniform4dv(uniform(fmt::format("clipFromWorld[{}]", column).c_str()), 1,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <string>
 
 #include "gl/depth_map.h"
 #include "gl/silhouette_mesh.h"
@@ -9,15 +10,16 @@
 
 namespace gnomon {
 
-/// The programs that some plans need, compiled when first used, and the buffers that they read.
+/// The programs that some plans need, compiled when first used.
 class Programs {
   public:
-    explicit Programs(const GlTable& table) : gl(table) {}
-    ~Programs();
-    Programs(const Programs&) = delete;
-    Programs& operator=(const Programs&) = delete;
+    /// @param known   the context's programs
+    /// @param prefix  of their names there: what one chip may compile another may not
+    Programs(const GlTable& table, std::map<std::string, unsigned>& known, std::string prefix)
+        : gl(table), m_known(known), m_prefix(std::move(prefix)) {}
 
-    /// Binds Program::CountFaces: adds @p frontCount where a front face is drawn, subtracts it at a back face.
+    /// Binds Program::CountFaces: adds @p frontCount where a front face is drawn, subtracts it at a back
+    /// face.
     void useCountFaces(int frontCount);
     /// Binds Program::ShadeCount. @p shadowShare: of the source colour where the count is not 0
     void useShadeCount(float shadowShare);
@@ -34,11 +36,12 @@ class Programs {
         GLenum type = 0;
         const char* source = nullptr;
     };
-    GLuint compiled(const char* name, std::initializer_list<Stage> stages);
+    void use(const char* name, std::initializer_list<Stage> stages);
     GLint uniform(const char* name) const { return gl.GetUniformLocation(m_current, name); }
 
     const GlTable& gl;
-    std::map<std::string, GLuint> m_programs{};
+    std::map<std::string, unsigned>& m_known;
+    std::string m_prefix;
     GLuint m_current = 0;
 };
 

@@ -63,8 +63,8 @@ void fillWith(const GlTable& gl, const CopiedTexture& texture) {
 class PassRunner {
   public:
     PassRunner(const GlTable& table, const Plan& plan, const FrameSurfaces& surfaces,
-               const LightFrames& lights)
-        : gl(table), m_plan(plan), m_surfaces(surfaces), m_lights(lights), m_programs(table) {}
+               const LightFrames& lights, Programs programs)
+        : gl(table), m_plan(plan), m_surfaces(surfaces), m_lights(lights), m_programs(std::move(programs)) {}
 
     ~PassRunner() {
         for (const CopiedTexture* t : {&m_mask, &m_frame})
@@ -162,8 +162,9 @@ class PassRunner {
                               (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
         if (overMask) backdrop(pass.blackBackdrop ? glm::vec3(0) : m_surfaces.background);
         const std::vector<Rgba> mixed = mixedColours(pass);
-        const std::vector<Rgba>& colours = pass.shading == Shading::Lit       ? m_lights(pass.light).colours->lit
-                                           : pass.shading == Shading::Diffuse ? m_lights(pass.light).colours->diffuse
+        const std::vector<Rgba>& colours = pass.shading == Shading::Lit ? m_lights(pass.light).colours->lit
+                                           : pass.shading == Shading::Diffuse
+                                               ? m_lights(pass.light).colours->diffuse
                                            : pass.shading == Shading::Ambient ? m_surfaces.ambient
                                                                               : mixed;
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
@@ -233,8 +234,7 @@ class PassRunner {
         state(pass);
         gl.Disable(GL_CULL_FACE);
         gl.Color4f(pass.colour.r, pass.colour.g, pass.colour.b, pass.colour.a);
-        if (pass.texture != MaskTexture::None)
-            return fillWith(gl, pass.frameTexture ? m_frame : m_mask);
+        if (pass.texture != MaskTexture::None) return fillWith(gl, pass.frameTexture ? m_frame : m_mask);
         gl.VertexPointer(2, GL_FLOAT, 0, kWindow.data());
         gl.DrawArrays(GL_QUADS, 0, 4);
     }
@@ -267,8 +267,7 @@ class PassRunner {
         gl.TexImage2D(GL_TEXTURE_2D, 0, GLint(format), textureWidth, textureHeight, 0, base, GL_UNSIGNED_BYTE,
                       nullptr);
         gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, width, height);
-        if (width < textureWidth)
-            gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, 0, width - 1, 0, 1, height);
+        if (width < textureWidth) gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, width, 0, width - 1, 0, 1, height);
         if (height < textureHeight)
             gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, height, 0, height - 1, width, 1);
         if (width < textureWidth && height < textureHeight)
@@ -367,8 +366,8 @@ class PassRunner {
 
 /// Back to OpenGL's defaults, past all decorators.
 void resetState(const GlTable& gl) {
-    for (const GLenum what : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D,
-                              GL_DEPTH_CLAMP})
+    for (const GLenum what :
+         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D, GL_DEPTH_CLAMP})
         gl.Disable(what);
     gl.UseProgram(0);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -467,7 +466,7 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
 
     Counter counter;
     const GlTable gl = counter.count(restrictTo(profile, surface.format(), driver));
-    PassRunner runner(gl, plan, surfaces, lights);
+    PassRunner runner(gl, plan, surfaces, lights, Programs(gl, surface.programs(), profile.id + "/"));
     Rendered out;
     out.masks.resize(std::max<std::size_t>(plan.masks.size(), 1));
     auto tap = plan.masks.begin();

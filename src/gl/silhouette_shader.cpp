@@ -127,29 +127,21 @@ void cutAtWindow(int axis, double sign) {
     corners = count;
 }
 
-void emitPolygon(bool reversed, int times) {
-    if (clipMode == 0) {
-        bool inside = true;
-        for (int i = 0; i < corners; ++i)
-            inside = inside && abs(double(polygon[i].x)) <= frustum.x * double(polygon[i].w) &&
-                     abs(double(polygon[i].y)) <= frustum.y * double(polygon[i].w);
-        if (!inside) {
-            for (int axis = 0; axis < 2; ++axis) {
-                cutAtWindow(axis, 1.0);
-                cutAtWindow(axis, -1.0);
-            }
-        }
-    }
-    for (int n = 0; n < times; ++n) {
-        for (int i = 2; i < corners; ++i) {
-            gl_Position = polygon[reversed ? i - 1 : 0];
-            EmitVertex();
-            gl_Position = polygon[reversed ? 0 : i - 1];
-            EmitVertex();
-            gl_Position = polygon[i];
-            EmitVertex();
-            EndPrimitive();
-        }
+void emitPolygon(bool reversed) {
+    int sidesToCut = 0;
+    for (int i = 0; i < corners && clipMode == 0; ++i)
+        if (abs(double(polygon[i].x)) > frustum.x * double(polygon[i].w) ||
+            abs(double(polygon[i].y)) > frustum.y * double(polygon[i].w))
+            sidesToCut = 4;
+    for (int side = 0; side < sidesToCut; ++side) cutAtWindow(side / 2, side % 2 == 0 ? 1.0 : -1.0);
+    for (int i = 2; i < corners; ++i) {
+        gl_Position = polygon[reversed ? i - 1 : 0];
+        EmitVertex();
+        gl_Position = polygon[reversed ? 0 : i - 1];
+        EmitVertex();
+        gl_Position = polygon[i];
+        EmitVertex();
+        EndPrimitive();
     }
 }
 
@@ -254,27 +246,32 @@ bool hidesEye(int own) {
     return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
 }
 
-void drawSide(int from, int to, int weight) {
+// --- Faces, each drawn in at most two parts
+
+Corner face[4];
+int faceSize = 0;
+
+void setSide(int from, int to) {
     // Sides that hang from one edge in opposite directions are the same face.
     bool reversed = v[from].id < v[to].id;
     int a = reversed ? to : from, b = reversed ? from : to;
-    Corner face[4];
     face[0] = Corner(b, false);
     face[1] = Corner(a, false);
     face[2] = Corner(a, true);
     face[3] = Corner(b, true);
-    int size = directional() ? 3 : 4;
-    visiblePart(face, size);
-    emitPolygon(reversed, weight);
-    if (clipMode == 0) {
-        nearPart(face, size);
-        emitPolygon(reversed, weight);
-    }
+    faceSize = directional() ? 3 : 4;
 }
 
-// The part of the light cap before the near plane, which no surface shows. Drawn from the vertex with the
-// smallest index and then the smaller of the others.
-void drawNearCap(int own, Corner face[4]) {
+void setFarCap(int own) {
+    face[0] = Corner(own > 0 ? 0 : 2, true);
+    face[1] = Corner(4, true);
+    face[2] = Corner(own > 0 ? 2 : 0, true);
+    faceSize = 3;
+}
+
+// The light cap from the vertex with the smallest index and then the smaller of the others; returns whether
+// that turned it round.
+bool setLightCap() {
     int a = 0, b = 2, c = 4;
     for (int k = 0; k < 2; ++k) {
         if (v[a].id > v[b].id || v[a].id > v[c].id) {
@@ -288,32 +285,45 @@ void drawNearCap(int own, Corner face[4]) {
     face[0] = Corner(a, false);
     face[1] = Corner(reversed ? c : b, false);
     face[2] = Corner(reversed ? b : c, false);
-    face[3] = face[0];
-    nearPart(face, 3);
-    emitPolygon(reversed == (own > 0), 1);
+    faceSize = 3;
+    return reversed;
 }
 
+// llvmpipe runs both ways of an if for all primitives, but no round of a loop that none of them needs; and
+// each function's text is compiled wherever it is called. So there is one loop with one call of each.
 void main() {
     int own = facing(0, 2, 4);
-    if (gl_InvocationID == 3) {
-        if (own == 0) return;
+    bool isCap = gl_InvocationID == 3;
+    int from = 2 * (gl_InvocationID % 3), far = from + 1, to = (from + 2) % 6;
+    bool held = v[far].at.w < -0.5;
+    int weight = held ? 0 : own - (v[far].at.w < 0.5 ? 0 : facing(to, from, far));
+    int times = isCap ? abs(own) : abs(weight);
+
+    bool near = false;
+    for (int k = 0; k < 3 && times > 0; ++k) near = near || height(Corner(2 * k, false)) < 0.0;
+    for (int k = 0; k < 3 && times > 0 && !isCap; ++k) near = near || height(Corner(2 * k, true)) < 0.0;
+    near = near && (clipMode == 0 || isCap);
+    bool visible = !isCap || !directional();
+
+    for (int n = 0; n < (isCap ? times : 0); ++n)
         if (hidesEye(own)) atomicCounterIncrement(blockers);
-        Corner face[4];
-        drawNearCap(own, face);
-        if (directional()) return;
-        face[0] = Corner(own > 0 ? 0 : 2, true);
-        face[1] = Corner(4, true);
-        face[2] = Corner(own > 0 ? 2 : 0, true);
-        face[3] = face[0];
-        visiblePart(face, 3);
-        emitPolygon(false, 1);
-        return;
+    int rounds = times * ((near ? 1 : 0) + (visible ? 1 : 0));
+    for (int n = 0; n < rounds; ++n) {
+        bool drawsNear = near && (!visible || n % 2 == 1);
+        bool reversed = false;
+        if (!isCap) {
+            int a = weight > 0 ? from : to, b = weight > 0 ? to : from;
+            setSide(a, b);
+            reversed = v[a].id < v[b].id;
+        } else if (drawsNear) {
+            reversed = setLightCap() == (own > 0);
+        } else {
+            setFarCap(own);
+        }
+        for (int m = 0; m < (drawsNear ? 1 : 0); ++m) nearPart(face, faceSize);
+        for (int m = 0; m < (drawsNear ? 0 : 1); ++m) visiblePart(face, faceSize);
+        emitPolygon(reversed);
     }
-    int from = 2 * gl_InvocationID, far = from + 1, to = (from + 2) % 6;
-    if (v[far].at.w < -0.5) return;
-    int weight = own - (v[far].at.w < 0.5 ? 0 : facing(to, from, far));
-    if (weight > 0) drawSide(from, to, weight);
-    if (weight < 0) drawSide(to, from, -weight);
 }
 )";
 

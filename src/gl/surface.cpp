@@ -120,6 +120,7 @@ struct Surface::Impl {
     OSMesaContext context = nullptr;
     std::vector<std::uint32_t> buffer{};
     GlTable driver{};
+    std::map<std::string, unsigned> programs{};
 
     ~Impl() {
         if (context) OSMesaDestroyContext(context);
@@ -192,6 +193,10 @@ int Surface::width() const {
 }
 int Surface::height() const {
     return m_impl->height;
+}
+
+std::map<std::string, unsigned>& Surface::programs() {
+    return m_impl->programs;
 }
 
 void Surface::makeCurrent() {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "gl/table.h"
@@ -37,6 +39,10 @@ class Surface {
     const BufferFormat& format() const;
     int width() const;
     int height() const;
+
+    /// The programs that were linked in this context, by a name that their users choose; they live as long as
+    /// it does.
+    std::map<std::string, unsigned>& programs();
 
     /// Makes the context current; needed when several surfaces live.
     void makeCurrent();
