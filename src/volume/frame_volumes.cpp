@@ -106,10 +106,4 @@ bool eyeInVolume(const Scene& scene, std::span<const LitCaster> lit, const glm::
                        [&](const LitCaster& c) { return touchesNearRectangle(scene, c, light, view); });
 }
 
-std::vector<LitCaster> litCasters(const Scene& scene, const glm::vec4& light, Silhouette silhouette) {
-    std::vector<LitCaster> lit;
-    for (const Caster& caster : casters(scene)) lit.push_back(litCaster(scene, caster, light, silhouette));
-    return lit;
-}
-
 }  // namespace gnomon

@@ -33,7 +33,4 @@ FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, co
 bool eyeInVolume(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                  const View& view);
 
-/// All casters of @p scene as @p light sees them.
-std::vector<LitCaster> litCasters(const Scene& scene, const glm::vec4& light, Silhouette silhouette);
-
 }  // namespace gnomon

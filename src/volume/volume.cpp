@@ -69,8 +69,21 @@ void sortByEdge(std::vector<Walk>& walks) {
     walks = std::move(sorted);
 }
 
-/// The signed edge counter of Aldridge and Woods, section 2.3.
-std::vector<Side> windingSides(const std::vector<glm::uvec3>& lit) {
+/// How many sides hang from an edge that @p forward cap triangles walk from low to high and @p backward from
+/// high to low: more than 0 from low to high, less from high to low.
+int sidesAt(int forward, int backward, Silhouette silhouette) {
+    const int sum = forward - backward, count = forward + backward;
+    switch (silhouette) {
+        case Silhouette::Triangular:
+            return count % 2 == 0 ? 0 : sum > 0 ? 1 : -1;
+        case Silhouette::Visible:
+            return count == 1 ? sum : 0;
+        default:
+            return sum;
+    }
+}
+
+std::vector<Side> sharedSides(const std::vector<glm::uvec3>& lit, Silhouette silhouette) {
     std::vector<Walk> walks;
     walks.reserve(3 * lit.size());
     for (const glm::uvec3& t : lit) {
@@ -84,8 +97,10 @@ std::vector<Side> windingSides(const std::vector<glm::uvec3>& lit) {
     std::vector<Side> sides;
     for (auto walk = walks.begin(); walk != walks.end();) {
         const auto edge = walk->key();
-        int count = 0;
-        for (; walk != walks.end() && walk->key() == edge; ++walk) count += walk->direction;
+        int forward = 0, backward = 0;
+        for (; walk != walks.end() && walk->key() == edge; ++walk)
+            ++(walk->direction > 0 ? forward : backward);
+        const int count = sidesAt(forward, backward, silhouette);
         if (count > 0) sides.push_back({edge.first, edge.second, count});
         if (count < 0) sides.push_back({edge.second, edge.first, -count});
     }
@@ -111,17 +126,28 @@ std::vector<Caster> casters(const Scene& scene) {
     return result;
 }
 
-LitCaster litCaster(const Scene& scene, const Caster& caster, const glm::vec4& light, Silhouette silhouette) {
+LitCaster litCaster(const Scene& scene, const Caster& caster, const glm::vec4& light, Silhouette silhouette,
+                    CapFaces capFaces) {
     const Mesh& mesh = scene.objects[caster.object].mesh;
+    const bool litCaps = caster.twoSided || capFaces == CapFaces::Lit;
+    const bool awayCaps = caster.twoSided || capFaces == CapFaces::Away;
     LitCaster result{.object = caster.object, .perTriangle = silhouette == Silhouette::PerTriangle};
     for (const std::uint32_t index : caster.triangles) {
         const glm::uvec3 t = mesh.triangles[index];
         const int side = orientation(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], light);
-        if (side > 0) result.lit.push_back(t);
-        if (side < 0 && caster.twoSided) result.lit.push_back({t.x, t.z, t.y});
+        if (side > 0 && litCaps) result.lit.push_back(t);
+        if (side < 0 && awayCaps) result.lit.push_back({t.y, t.x, t.z});
     }
-    result.sides = result.perTriangle ? triangleSides(result.lit) : windingSides(result.lit);
+    result.sides = result.perTriangle ? triangleSides(result.lit) : sharedSides(result.lit, silhouette);
     return result;
+}
+
+std::vector<LitCaster> litCasters(const Scene& scene, const glm::vec4& light, Silhouette silhouette,
+                                  CapFaces capFaces) {
+    std::vector<LitCaster> lit;
+    for (const Caster& caster : casters(scene))
+        lit.push_back(litCaster(scene, caster, light, silhouette, capFaces));
+    return lit;
 }
 
 glm::vec4 extruded(const glm::vec3& position, const glm::vec4& light) {

@@ -135,6 +135,132 @@ TEST(LitCaster, DoesNotDependOnTheOrderOfTriangles) {
     EXPECT_EQ(sides(mesh), before);
 }
 
+/// @p count fins around the edge from vertex 0 to vertex 1: all walk it alike, all face a light at (0, 0,
+/// 10).
+Mesh fins(int count) {
+    Mesh mesh{.positions = {{0, 0, 0}, {1, 0, 0}}};
+    for (int i = 0; i < count; ++i) {
+        mesh.positions.push_back({0, 1, 0.5f * float(i)});
+        mesh.triangles.push_back({0, 1, 2 + i});
+    }
+    return mesh;
+}
+constexpr glm::vec4 kFinLight{0, 0, 10, 1};
+
+void turn(glm::uvec3& triangle) {
+    std::swap(triangle.x, triangle.y);
+}
+
+/// Sides at the edge from vertex 0 to vertex 1, those from 1 to 0 negative.
+int sidesAtTheFins(const Mesh& mesh, Silhouette silhouette) {
+    const Scene scene = sceneOf(mesh);
+    const auto sum = chain(litCaster(scene, whole(scene), kFinLight, silhouette).sides);
+    const auto found = sum.find({0u, 1u});
+    return found == sum.end() ? 0 : found->second;
+}
+
+TEST(LitCaster, TogglesAnEdgeWithEachCapInTriangular) {
+    EXPECT_EQ(sidesAtTheFins(fins(1), Silhouette::Triangular), 1);
+    EXPECT_EQ(sidesAtTheFins(fins(2), Silhouette::Triangular), 0);
+    EXPECT_EQ(sidesAtTheFins(fins(3), Silhouette::Triangular), 1);
+    EXPECT_EQ(sidesAtTheFins(fins(4), Silhouette::Triangular), 0);
+}
+
+TEST(LitCaster, DirectsTriangularSidesAsTheMajorityWalks) {
+    // Two of three seen from below, whose edge runs the other way; whatever stands last.
+    for (const std::array<int, 2> turned : {std::array{0, 1}, {1, 2}, {0, 2}}) {
+        Scene scene = sceneOf(fins(3));
+        for (const int i : turned) {
+            glm::uvec3& t = scene.objects[0].mesh.triangles[i];
+            scene.objects[0].mesh.positions[t.z].y = -1;
+            turn(t);
+        }
+        EXPECT_EQ(sidesAtTheFins(scene.objects[0].mesh, Silhouette::Triangular), -1);
+        EXPECT_EQ(sidesAtTheFins(scene.objects[0].mesh, Silhouette::Winding), -1);
+    }
+}
+
+TEST(LitCaster, WantsExactlyOneCapAtAVisibleEdge) {
+    EXPECT_EQ(sidesAtTheFins(fins(1), Silhouette::Visible), 1);
+    EXPECT_EQ(sidesAtTheFins(fins(2), Silhouette::Visible), 0);
+    EXPECT_EQ(sidesAtTheFins(fins(3), Silhouette::Visible), 0);
+    Mesh oneLit = fins(3);
+    for (int i = 0; i < 2; ++i) turn(oneLit.triangles[i]);  // turned away from the light
+    EXPECT_EQ(sidesAtTheFins(oneLit, Silhouette::Visible), 1);
+}
+
+TEST(LitCaster, HasTheSameSidesByAllBuildersOnAClosedManifold) {
+    const Scene scene = sceneOf(blob({0, 0, 0}, 1, 12, 14, 0.2f, 3));
+    for (const glm::vec4 light :
+         {glm::vec4(3, 1, 2, 1), glm::vec4(0, 1, 0, 1), glm::vec4(0.6f, 0, 0.8f, 0)}) {
+        for (const CapFaces capFaces : {CapFaces::Lit, CapFaces::Away}) {
+            const auto sides = [&](Silhouette s) {
+                return chain(litCaster(scene, whole(scene), light, s, capFaces).sides);
+            };
+            const auto winding = sides(Silhouette::Winding);
+            EXPECT_FALSE(winding.empty());
+            for (int s = 0; s < kSilhouettes; ++s) EXPECT_EQ(sides(Silhouette(s)), winding);
+        }
+    }
+}
+
+TEST(LitCaster, HasDoubledContoursWhereATwoSidedManifoldBends) {
+    Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    scene.objects[0].twoSided = true;
+    const glm::vec4 light(0.2f, 3, 0.1f, 1);  // sees the top; the other five sides from behind
+    for (const Silhouette s : {Silhouette::Manifold, Silhouette::Winding}) {
+        const LitCaster lit = litCaster(scene, whole(scene), light, s);
+        EXPECT_THAT(lit.lit, SizeIs(12));
+        ASSERT_THAT(lit.sides, SizeIs(4));
+        for (const Side& side : lit.sides) EXPECT_EQ(side.weight, 2);
+    }
+    EXPECT_THAT(litCaster(scene, whole(scene), light, Silhouette::Visible).sides, IsEmpty());
+}
+
+TEST(LitCaster, CapsWithTheFacesTurnedAwayWoundTowardsTheLight) {
+    const Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    const LitCaster away =
+        litCaster(scene, whole(scene), {0.2f, 3, 0.1f, 1}, Silhouette::Winding, CapFaces::Away);
+    EXPECT_THAT(away.lit, SizeIs(10));
+    const Mesh& mesh = scene.objects[0].mesh;
+    const glm::uvec3 first = mesh.triangles[0];
+    EXPECT_EQ(away.lit[0], glm::uvec3(first.y, first.x, first.z));
+    for (const glm::uvec3& t : away.lit)
+        EXPECT_EQ(
+            orientation(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], {0.2f, 3, 0.1f, 1}),
+            1);
+}
+
+TEST(LitCaster, HasTheSameSidesWhicheverFacesCapAClosedMesh) {
+    // No face edge-on: then what is lit and what is away have one outline.
+    const Scene scene = sceneOf(blob({0, 0, 0}, 1, 12, 14, 0.2f, 3));
+    const glm::vec4 light(3, 1, 2, 1);
+    const auto sides = [&](CapFaces capFaces) {
+        return chain(litCaster(scene, whole(scene), light, Silhouette::Winding, capFaces).sides);
+    };
+    EXPECT_EQ(sides(CapFaces::Away), sides(CapFaces::Lit));
+}
+
+TEST(LitCaster, CapsTwoSidedCastersWithBothSidesEitherWay) {
+    Scene scene = sceneOf(soup(30, 200, 7));
+    scene.objects[0].twoSided = true;
+    const auto lit = [&](CapFaces capFaces) {
+        return litCaster(scene, whole(scene), {0.3f, 2, 0.1f, 1}, Silhouette::Winding, capFaces).lit;
+    };
+    EXPECT_EQ(lit(CapFaces::Away), lit(CapFaces::Lit));
+}
+
+TEST(LitCasters, AreThoseOfAllCastersInTheirOrder) {
+    Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    scene.objects.push_back({.mesh = cube({3, 0, 0}, 1), .casts = false});
+    scene.objects.push_back({.mesh = cube({6, 0, 0}, 1)});
+    const auto lit = litCasters(scene, {6, 9, 0, 1}, Silhouette::Visible, CapFaces::Away);
+    ASSERT_THAT(lit, SizeIs(2));
+    EXPECT_EQ(lit[0].object, 0u);
+    EXPECT_EQ(lit[1].object, 2u);
+    EXPECT_THAT(lit[1].sides, SizeIs(4));
+}
+
 TEST(LitCaster, TakesSparseVertexNumbers) {
     Mesh mesh = cube({0, 0, 0}, 1);
     mesh.positions.resize(1000);
