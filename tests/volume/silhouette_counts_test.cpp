@@ -48,8 +48,7 @@ TEST(SilhouetteCounter, CountsWhatIsBuiltOfASoup) {
     const auto coordinate = [&] { return float(random() % 5) - 2; };
     for (int round = 0; round < 40; ++round) {
         Mesh mesh;
-        for (int v = 0; v < 12; ++v)
-            mesh.positions.emplace_back(coordinate(), coordinate(), coordinate());
+        for (int v = 0; v < 12; ++v) mesh.positions.emplace_back(coordinate(), coordinate(), coordinate());
         for (int i = 0; i < 60; ++i) {
             const glm::uvec3 t(random() % 12, random() % 12, random() % 12);
             if (t.x != t.y && t.y != t.z && t.z != t.x) mesh.triangles.push_back(t);
