@@ -113,13 +113,17 @@ std::string topologyText(const MeshFacts& mesh) {
     return text;
 }
 
-/// How the meshes that volumes are built of differ from the whole; empty if they don't.
+/// How the meshes that volumes are built of differ from the file; empty if they don't.
 std::string differenceText(const MeshFacts& mesh) {
     const auto open = std::count_if(mesh.objects.begin(), mesh.objects.end(),
                                     [](const ObjectFacts& object) { return !object.topology.isBalanced(); });
     std::string text;
+    if (mesh.leftOut > 0)
+        text += fmt::format("{} object{} cast{} no shadow and {} left out.\n", mesh.leftOut,
+                            mesh.leftOut == 1 ? "" : "s", mesh.leftOut == 1 ? "s" : "",
+                            mesh.leftOut == 1 ? "is" : "are");
     if (mesh.file.isBalanced() && !mesh.drawn.isBalanced())
-        text += fmt::format("The file is closed, but without its triangles that have no area it is open.\n");
+        text += "The file is closed, but without its triangles that have no area it is open.\n";
     if (mesh.drawn.isBalanced() && open > 0)
         text += fmt::format(
             "Closed as a whole, but {} of {} objects are open: volumes are built object by object.\n", open,
@@ -209,6 +213,16 @@ std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
     return text;
 }
 
+std::string legend() {
+    const std::string text = fmt::format(
+        "A side is a quad that hangs from an edge, as often as its weight; polygons are sides, "
+        "light caps and far caps. Published, of a level with 262 lights: {} = {} / {} ({}); only "
+        "the ratio compares.",
+        ratio(kPublishedPerTriangle, kPublishedWinding), kPublishedPerTriangle, kPublishedWinding,
+        kPublishedSource);
+    return fmt::format("\n{}\n", wrapText(text, 0));
+}
+
 std::string meshText(const MeshFacts& mesh) {
     std::string text = fmt::format("{}: {}\n\n", mesh.id, describe(mesh.file));
     text += topologyText(mesh);
@@ -216,14 +230,6 @@ std::string meshText(const MeshFacts& mesh) {
     text += objectsText(mesh);
     text += buildersText(mesh);
     for (const LightSet& set : mesh.lightSets) text += lightsText(mesh, set);
-    if (mesh.lightSets.empty()) return text;
-    const std::string legend = fmt::format(
-        "A side is a quad that hangs from an edge, as often as its weight; polygons are sides, "
-        "light caps and far caps. Published, of a level with 262 lights: {} = {} / {} ({}); only "
-        "the ratio compares.",
-        ratio(kPublishedPerTriangle, kPublishedWinding), kPublishedPerTriangle, kPublishedWinding,
-        kPublishedSource);
-    text += fmt::format("\n{}\n", wrapText(legend, 0));
     return text;
 }
 
@@ -299,6 +305,7 @@ Json meshJson(const MeshFacts& mesh) {
             {"drawn", topologyJson(mesh.drawn)},
             {"by_object", byObject},
             {"objects", objects},
+            {"objects_without_shadow", mesh.leftOut},
             {"silhouettes", builders},
             {"caps_turned_away_refusal", orNull(mesh.awayRefusal)},
             {"lights", lights},
@@ -355,7 +362,9 @@ std::string showMeshes(const std::vector<MeshFacts>& meshes, Format format) {
     std::string text;
     for (const MeshFacts& mesh : meshes)
         text += fmt::format("{}{}", text.empty() ? "" : "\n", meshText(mesh));
-    return text;
+    const bool hasVolumes = std::any_of(meshes.begin(), meshes.end(),
+                                        [](const MeshFacts& mesh) { return !mesh.lightSets.empty(); });
+    return hasVolumes ? text + legend() : text;
 }
 
 }  // namespace gnomon

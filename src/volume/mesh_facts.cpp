@@ -82,6 +82,7 @@ MeshFacts meshFacts(const Scene& scene, int ringLights) {
     facts.file = facts.flat == 0 ? facts.drawn : topologyOf(joinCasters(scene, true));
     const auto casting = std::count_if(scene.objects.begin(), scene.objects.end(),
                                        [](const Object& object) { return object.casts; });
+    facts.leftOut = scene.objects.size() - std::size_t(casting);
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.casts) continue;

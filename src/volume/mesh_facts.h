@@ -47,6 +47,7 @@ struct MeshFacts {
     Topology file{};                 ///< all casters as one mesh, with the triangles without area
     Topology drawn{};                ///< the same without them
     std::vector<ObjectFacts> objects{};  ///< the casting objects: the meshes that volumes are built of
+    std::size_t leftOut = 0;             ///< objects that cast nothing
     Topology byObject{};                 ///< the sum over them, without examples of edges
     std::vector<BuilderFacts> builders{};
     std::optional<std::string> awayRefusal{};  ///< why faces turned away can't cap (CapFaces::Away)
