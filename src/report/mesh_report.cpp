@@ -40,6 +40,7 @@ const std::vector<Quantity>& quantities() {
         {"unbalanced_edges", [](const Topology& t) { return t.unbalancedEdges; }},
         {"duplicates", [](const Topology& t) { return t.duplicates; }},
         {"duplicates_same_way", [](const Topology& t) { return t.duplicatesSameWay; }},
+        {"t_junctions", [](const Topology& t) { return t.tJunctions; }},
         {"components", [](const Topology& t) { return t.components; }},
         {"bow_ties", [](const Topology& t) { return t.bowTies; }},
     };
@@ -92,6 +93,8 @@ std::string topologyText(const MeshFacts& mesh) {
     addNumber("  further fans at a vertex", [](const Topology& t) { return t.bowTies; });
     addNumber("unique edges", [](const Topology& t) { return t.edges; });
     addNumber("  boundary: one triangle", [](const Topology& t) { return t.boundaryEdges(); });
+    if (mesh.file.boundaryEdges() + mesh.byObject.boundaryEdges() > 0)
+        addNumber("    T-junctions: vertices inside them", [](const Topology& t) { return t.tJunctions; });
     addNumber("  non-manifold: three or more", [](const Topology& t) { return t.nonManifoldEdges(); });
     if (std::any_of(columns.begin(), columns.end(), [](auto* t) { return t->nonManifoldEdges() > 0; }))
         addRow("    triangles: edges", valencesOf);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "scene/buckets.h"
+#include "scene/t_junctions.h"
 
 namespace gnomon {
 namespace {
@@ -161,6 +162,7 @@ Topology topologyOf(const Mesh& mesh) {
     Topology result{.triangles = mesh.triangles.size()};
     countEdges(mesh, result);
     countDuplicates(mesh, result);
+    if (result.boundaryEdges() > 0) result.tJunctions = tJunctions(mesh);
     return result;
 }
 

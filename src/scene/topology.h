@@ -24,6 +24,7 @@ struct Topology {
     std::size_t unbalancedEdges = 0;        ///< edges that are run along more often one way than the other
     std::size_t duplicates = 0;             ///< triangles beyond the first on the same three vertices
     std::size_t duplicatesSameWay = 0;      ///< those among them that have the orientation of another
+    std::size_t tJunctions = 0;             ///< vertices inside of boundary edges: tJunctions()
     std::size_t components = 0;             ///< pieces connected by vertices
     std::size_t bowTies = 0;                ///< fans at a vertex beyond its first
 

@@ -21,6 +21,7 @@ void add(Topology& sum, const Topology& t) {
     sum.unbalancedEdges += t.unbalancedEdges;
     sum.duplicates += t.duplicates;
     sum.duplicatesSameWay += t.duplicatesSameWay;
+    sum.tJunctions += t.tJunctions;
     sum.components += t.components;
     sum.bowTies += t.bowTies;
 }

@@ -120,6 +120,7 @@ TEST_F(RealMesh, CryptWithItsLightsNeedsHalfOfThePolygonsOfBruteForce) {
     EXPECT_EQ(mesh["file"]["edges"], 391694);
     EXPECT_EQ(mesh["file"]["non_manifold_edges"], 3897);
     EXPECT_EQ(mesh["file"]["max_valence"], 6);
+    EXPECT_EQ(mesh["file"]["t_junctions"], 1491);
     EXPECT_EQ(mesh["degenerate"]["zero_area"], 117);
     ASSERT_THAT(mesh["lights"], SizeIs(1));
     EXPECT_THAT(mesh["lights"][0]["lights"], SizeIs(248));

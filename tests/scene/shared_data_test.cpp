@@ -72,7 +72,8 @@ INSTANTIATE_TEST_SUITE_P(Shared, MalformedFile, testing::ValuesIn(meshesIn("malf
 struct Counts {
     std::size_t triangles = 0, vertices = 0, repeatedVertex = 0, zeroArea = 0;
     int lights = -1, cameras = -1;  ///< -1: not said
-    std::size_t components = 0, boundary = 0, nonManifold = 0, inconsistent = 0, duplicates = 0, sameWay = 0;
+    std::size_t components = 0, boundary = 0, nonManifold = 0, inconsistent = 0, duplicates = 0, sameWay = 0,
+                tJunctions = 0;
     int maxValence = 0;
 };
 
@@ -106,6 +107,7 @@ std::map<std::string, Counts> readDataTables() {
         c.inconsistent = numberOf(cells[8]);
         c.duplicates = numberOf(cells[10]);
         c.sameWay = bracketed(cells[10]);
+        c.tJunctions = numberOf(cells[11]);
         if (cells.size() == 15) std::sscanf(cells[12].c_str(), "%d, %d", &c.lights, &c.cameras);
         counts[cells[1].substr(1, cells[1].size() - 2)] = c;
     }
@@ -164,6 +166,7 @@ TEST_P(GoodFile, HasTheTopologyOfDataTable) {
     EXPECT_EQ(topology.components, expected.components);
     EXPECT_EQ(topology.boundaryEdges(), expected.boundary);
     EXPECT_EQ(topology.windingConflicts, expected.inconsistent);
+    EXPECT_EQ(topology.tJunctions, expected.tJunctions);
     // Fans of a polygon with a hole run twice over the same three vertices; clipped ears don't.
     if (name == "wallhole.obj") return;
     EXPECT_EQ(topology.nonManifoldEdges(), expected.nonManifold);
