@@ -81,6 +81,9 @@ class Tree {
         }
     }
 
+    /// The vertices so that neighbours in space are mostly neighbours here.
+    const std::vector<std::uint32_t>& order() const { return m_vertices; }
+
   private:
     static constexpr std::size_t kLeaf = 8;
 
@@ -117,7 +120,7 @@ class Tree {
 }  // namespace
 
 std::size_t tJunctions(const Mesh& mesh) {
-    const std::vector<Segment> boundary = boundaryOf(mesh);
+    std::vector<Segment> boundary = boundaryOf(mesh);
     std::vector<std::uint32_t> ends;
     for (const Segment& s : boundary) ends.insert(ends.end(), s.begin(), s.end());
     std::sort(ends.begin(), ends.end());
@@ -130,6 +133,12 @@ std::size_t tJunctions(const Mesh& mesh) {
     const double tolerance = kTolerance * glm::distance(box.least, box.most);
 
     const Tree tree(mesh, ends);
+    // In the tree's order: one way finds the nodes of the last in the cache.
+    std::vector<std::uint32_t> rank(mesh.positions.size());
+    for (std::uint32_t i = 0; i < tree.order().size(); ++i) rank[tree.order()[i]] = i;
+    std::sort(boundary.begin(), boundary.end(),
+              [&](const Segment& s, const Segment& t) { return rank[s[0]] < rank[t[0]]; });
+
     std::vector<bool> isInside(mesh.positions.size());
     for (const Segment& s : boundary) {
         const glm::dvec3 a(mesh.positions[s[0]]), b(mesh.positions[s[1]]);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "scene/buckets.h"
 #include "volume/orient.h"
 #include "volume/volume.h"
 
@@ -11,28 +12,28 @@ namespace {
 
 /// A triangle at an edge.
 struct Walk {
-    std::uint32_t low, high;
-    std::uint32_t triangle;
-    std::uint32_t opposite;  ///< its third vertex
-    bool forward;            ///< it walks from low to high
+    std::uint32_t low = 0, high = 0;
+    std::uint32_t triangle = 0;
+    std::uint32_t opposite = 0;  ///< its third vertex
+    bool forward = false;        ///< it walks from low to high
     auto key() const { return std::pair(low, high); }
     auto all() const { return std::tuple(low, high, !forward, opposite, triangle); }
+    bool operator<(const Walk& other) const { return all() < other.all(); }
 };
 
 /// All walks of @p mesh, edge by edge, lowest vertices first.
 std::vector<Walk> walksByEdge(const Mesh& mesh) {
-    std::vector<Walk> walks;
-    walks.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3 t = mesh.triangles[i];
-        if (t.x == t.y || t.y == t.z || t.z == t.x) continue;
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            walks.push_back({std::min(from, to), std::max(from, to), i, t[(k + 2) % 3], from < to});
+    Buckets<Walk> walks(mesh.positions.size(), [&](const auto& add) {
+        for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
+            const glm::uvec3 t = mesh.triangles[i];
+            if (t.x == t.y || t.y == t.z || t.z == t.x) continue;
+            for (int k = 0; k < 3; ++k) {
+                const std::uint32_t from = t[k], to = t[(k + 1) % 3], low = std::min(from, to);
+                add(low, Walk{low, std::max(from, to), i, t[(k + 2) % 3], from < to});
+            }
         }
-    }
-    std::sort(walks.begin(), walks.end(), [](const Walk& a, const Walk& b) { return a.all() < b.all(); });
-    return walks;
+    });
+    return walks.take();
 }
 
 std::string name(const Mesh& mesh, const Walk& edge) {
@@ -53,16 +54,15 @@ using Fault = std::optional<std::string>;
 
 /// Why the edge isn't one of a closed two-manifold of one winding.
 Fault notManifold(const Mesh& mesh, std::span<const Walk> edge) {
+    if (edge.size() == 2 && edge[0].forward != edge[1].forward) return {};
     const std::string where = name(mesh, edge[0]);
     if (const auto [a, b] = duplicates(edge); a != b)
         return fmt::format("triangles {} and {} are the same, at {}", a, b, where);
     if (edge.size() == 1) return fmt::format("boundary: only triangle {} at {}", edge[0].triangle, where);
     if (edge.size() > 2) return fmt::format("{} triangles at {}", edge.size(), where);
-    if (edge[0].forward == edge[1].forward)
-        return fmt::format("winding conflict: triangles {} and {} walk the same way along {}",
-                           std::min(edge[0].triangle, edge[1].triangle),
-                           std::max(edge[0].triangle, edge[1].triangle), where);
-    return {};
+    return fmt::format("winding conflict: triangles {} and {} walk the same way along {}",
+                       std::min(edge[0].triangle, edge[1].triangle),
+                       std::max(edge[0].triangle, edge[1].triangle), where);
 }
 
 /// Why the mesh isn't closed at the edge.
