@@ -192,9 +192,9 @@ std::string wordsOf(const Spread& s) {
 }
 
 std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
-    std::string text = fmt::format("\nVolumes of each light (least / median / most): {}\n\n", set.title);
-    std::vector<std::vector<std::string>> rows{
-        {"silhouette", "edges", "sides", "polygons", "triangles", "polygons in all"}};
+    const std::string title = fmt::format("Volumes of each light (least / median / most): {}", set.title);
+    std::string text = fmt::format("\n{}\n\n", wrapText(title, 0));
+    std::vector<std::vector<std::string>> rows{{"silhouette", "edges", "sides", "polygons", "triangles"}};
     for (const BuilderFacts& builder : mesh.builders) {
         rows.push_back({name(builder.silhouette)});
         if (builder.refusal) {
@@ -203,7 +203,6 @@ std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
         }
         for (const auto of : {edgesOf, sidesOf, polygonsOf, trianglesOf})
             rows.back().push_back(wordsOf(spread(set, builder.silhouette, of)));
-        rows.back().push_back(fmt::format("{}", spread(set, builder.silhouette, polygonsOf).sum));
     }
     text += alignColumns(rows);
     const auto sums = [&](auto of) {
@@ -211,8 +210,8 @@ std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
         const std::size_t winding = spread(set, Silhouette::Winding, of).sum;
         return fmt::format("{} = {} / {}", ratio(each, winding), each, winding);
     };
-    text +=
-        fmt::format("per-triangle / winding: polygons {}; sides alone {}\n", sums(polygonsOf), sums(sidesOf));
+    text += fmt::format("per-triangle / winding, of all lights: polygons {}; sides alone {}\n",
+                        sums(polygonsOf), sums(sidesOf));
     return text;
 }
 
