@@ -118,8 +118,7 @@ Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrid
     if (overrides.ground.value_or(!isToml && !isGltf)) scene.objects.push_back(groundBelow(bounds));
     applyOverrides(overrides, bounds, scene);
     if (scene.lights.size() > 1)
-        scene.notes.push_back(
-            fmt::format("{} lights in the file; frames are lit by the first", scene.lights.size()));
+        scene.notes.push_back(fmt::format("{} lights in the file; the first is used", scene.lights.size()));
     return scene;
 }
 
