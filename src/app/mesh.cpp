@@ -44,7 +44,7 @@ void addMesh(CLI::App& app, int& status) {
     command->add_option("--light", options->scenes.light,
                         "x,y,z of a point light, or x,y,z,0 towards one at infinity, instead of the file's");
     command
-        ->add_option("--lights", options->ringLights,
+        ->add_option("--ring", options->ringLights,
                      "number of lights of the ring around the mesh for which volumes are counted; 0: no ring")
         ->capture_default_str()
         ->check(CLI::Range(0, kMostRingLights));

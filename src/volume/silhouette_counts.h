@@ -30,6 +30,7 @@ using VolumeCounts = std::array<VolumeCount, kSilhouettes>;
 /// edges and without building anything: for many lights.
 class SilhouetteCounter {
   public:
+    /// @pre @p scene outlives this
     explicit SilhouetteCounter(const Scene& scene);
 
     /// The count for Manifold is right only where it has no refusal().

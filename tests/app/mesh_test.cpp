@@ -30,7 +30,7 @@ class MeshCommand : public ProgramTest {
     }
 
     Json jsonOf(const std::filesystem::path& file, const std::string& ringLights = "0") const {
-        const Outcome outcome = run({"mesh", file.string(), "--lights", ringLights, "--format", "json"});
+        const Outcome outcome = run({"mesh", file.string(), "--ring", ringLights, "--format", "json"});
         EXPECT_EQ(outcome.status, 0) << outcome.err;
         return Json::parse(outcome.out, nullptr, false)[0];
     }
@@ -40,8 +40,8 @@ TEST_F(MeshCommand, RefusesBadInputInOneLine) {
     expectRefused({"mesh"}, "scene");
     expectRefused({"mesh", "boxen"}, "boxen: ");
     expectRefused({"mesh", "/nowhere/mesh.ply"}, "/nowhere/mesh.ply");
-    expectRefused({"mesh", "boxes", "--lights", "-1"}, "--lights");
-    expectRefused({"mesh", "boxes", "--lights", "many"}, "--lights");
+    expectRefused({"mesh", "boxes", "--ring", "-1"}, "--ring");
+    expectRefused({"mesh", "boxes", "--ring", "many"}, "--ring");
     expectRefused({"mesh", "boxes", "--light", "1,2"}, "--light");
     expectRefused({"mesh", "boxes", "--format", "xml"}, "xml");
     const std::string broken = write("broken.obj", "v 0 0 0\nv 1 0 0\nv 0 one 0\nf 1 2 3\n");
@@ -83,7 +83,7 @@ TEST_F(MeshCommand, WeldsTheGroupsOfAFileAndAddsNoFloor) {
 
 TEST_F(MeshCommand, CountsForTheLightOfTheCommandLine) {
     const Json light =
-        Json::parse(run({"mesh", "knot", "--lights", "0", "--light", "0,1,0,0", "--format", "json"}).out);
+        Json::parse(run({"mesh", "knot", "--ring", "0", "--light", "0,1,0,0", "--format", "json"}).out);
     EXPECT_EQ(light[0]["lights"][0]["lights"], (Json{{0, 1, 0, 0}}));
 }
 
@@ -100,6 +100,14 @@ class RealMesh : public MeshCommand {
         if (!std::filesystem::exists(kData)) GTEST_SKIP() << kData << " is missing";
     }
 };
+
+TEST_F(RealMesh, MalformedOnesAreRefusedInOneLine) {
+    for (const auto& entry : std::filesystem::directory_iterator(kData / "malformed")) {
+        if (entry.path().extension() == ".bin") continue;
+        SCOPED_TRACE(entry.path());
+        expectRefused({"mesh", entry.path()}, entry.path().string() + ":");
+    }
+}
 
 TEST_F(RealMesh, ArmadilloSuitsEveryBuilder) {
     const Json mesh = jsonOf(kData / "meshes/armadillo.ply");
