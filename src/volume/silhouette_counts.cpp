@@ -1,53 +1,34 @@
 #include "volume/silhouette_counts.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
-
-#include "scene/buckets.h"
-#include "volume/orient.h"
+#include <span>
 
 namespace gnomon {
 namespace {
-
-/// A triangle at an edge, in the bucket of the edge's lower vertex.
-struct Walk {
-    std::uint32_t high = 0, use = 0;
-    auto operator<=>(const Walk&) const = default;
-};
 
 VolumeCount& of(VolumeCounts& counts, Silhouette silhouette) {
     return counts[std::size_t(silhouette)];
 }
 
+std::size_t sizeOf(std::span<const std::uint64_t> set) {
+    std::size_t sum = 0;
+    for (const std::uint64_t word : set) sum += std::size_t(std::popcount(word));
+    return sum;
+}
+
 }  // namespace
 
 SilhouetteCounter::SilhouetteCounter(const Scene& scene) {
-    for (const Object& object : scene.objects) {
-        if (!object.casts) continue;
-        const Mesh& mesh = object.mesh;
-        const Buckets<Walk> walks(mesh.positions.size(), [&](const auto& add) {
-            for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-                const glm::uvec3& t = mesh.triangles[i];
-                for (int k = 0; k < 3; ++k) {
-                    const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-                    add(std::min(from, to), Walk{std::max(from, to), 2 * i + (from < to ? 0 : 1)});
-                }
-            }
-        });
-        Edges edges{.object = &object};
-        edges.uses.reserve(3 * mesh.triangles.size());
-        walks.forEachRun([](const Walk& walk) { return walk.high; },
-                         [&](std::uint32_t, std::span<const Walk> run) {
-                             for (const Walk& walk : run) edges.uses.push_back(walk.use);
-                             edges.begins.push_back(std::uint32_t(edges.uses.size()));
-                         });
-        m_objects.push_back(std::move(edges));
-    }
+    for (const Object& object : scene.objects)
+        if (object.casts)
+            m_parts.push_back({CasterMesh(object.mesh.positions, object.mesh.triangles), object.twoSided});
 }
 
 VolumeCounts SilhouetteCounter::count(const glm::vec4& light) {
     VolumeCounts counts{};
-    for (const Edges& edges : m_objects) add(edges, light, counts);
+    for (const Part& part : m_parts) add(part, light, counts);
     for (VolumeCount& c : counts) {
         c.caps = of(counts, Silhouette::PerTriangle).caps;
         c.isPoint = light.w != 0;
@@ -57,36 +38,41 @@ VolumeCounts SilhouetteCounter::count(const glm::vec4& light) {
     return counts;
 }
 
-void SilhouetteCounter::add(const Edges& edges, const glm::vec4& light, VolumeCounts& counts) {
-    const Mesh& mesh = edges.object->mesh;
-    m_caps.resize(std::max(m_caps.size(), mesh.triangles.size()));
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3& t = mesh.triangles[i];
-        const int side = orientation(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], light);
-        m_caps[i] = std::int8_t(edges.object->twoSided ? side : std::max(side, 0));
-        of(counts, Silhouette::PerTriangle).caps += m_caps[i] != 0;
-    }
+void SilhouetteCounter::add(const Part& part, const glm::vec4& light, VolumeCounts& counts) {
+    part.mesh.face(light, m_facing);
+    const std::span<const std::uint64_t> lit = m_facing.lit;
+    const std::span<const std::uint64_t> away =
+        part.twoSided ? std::span<const std::uint64_t>(m_facing.away) : std::span<const std::uint64_t>();
+    of(counts, Silhouette::PerTriangle).caps += sizeOf(lit) + sizeOf(away);
 
-    std::size_t odd = 0, single = 0, wound = 0, weights = 0;
-    for (std::size_t e = 0; e + 1 < edges.begins.size(); ++e) {
-        int walks = 0, balance = 0;
-        for (std::uint32_t i = edges.begins[e]; i < edges.begins[e + 1]; ++i) {
-            const int cap = m_caps[edges.uses[i] / 2];
-            walks += cap != 0;
-            balance += edges.uses[i] % 2 ? -cap : cap;
-        }
+    // Edges at which one cap ends, and those at which two end that walk them the same way: one faces the
+    // light, the other faces away and is turned round.
+    m_lit.clear();
+    m_away.clear();
+    part.mesh.outline(lit, m_lit);
+    if (part.twoSided) part.mesh.outline(away, m_away);
+    const std::vector<std::uint32_t>& across = part.mesh.edges().across;
+    const auto both = std::size_t(std::count_if(
+        m_lit.begin(), m_lit.end(), [&](std::uint32_t walk) { return holds(away, across[walk]); }));
+    const std::size_t one = m_lit.size() + m_away.size() - 2 * both;
+    std::size_t odd = one, single = one, wound = one + both, weights = one + 2 * both;
+
+    // Edges of three triangles or more, or of two of different winding.
+    part.mesh.count(lit, away, [&](const Adjacency::Crowded&, const CasterMesh::Count& count) {
+        const int walks = count.forward + count.backward, balance = count.forward - count.backward;
         odd += walks % 2 != 0;
         single += walks == 1;
         wound += balance != 0;
         weights += std::size_t(std::abs(balance));
-    }
-    const auto grow = [&](Silhouette silhouette, std::size_t edgeCount, std::size_t sides) {
-        of(counts, silhouette).edges += edgeCount;
+    });
+
+    const auto grow = [&](Silhouette silhouette, std::size_t edges, std::size_t sides) {
+        of(counts, silhouette).edges += edges;
         of(counts, silhouette).sides += sides;
     };
     grow(Silhouette::Triangular, odd, odd);
     grow(Silhouette::Visible, single, single);
-    grow(Silhouette::Manifold, wound, weights);  // no edge has other than two triangles
+    grow(Silhouette::Manifold, wound, weights);  // no crowded edges: it is refused there
     grow(Silhouette::Winding, wound, weights);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "scene/scene.h"
+#include "volume/caster_mesh.h"
 #include "volume/volume.h"
 
 namespace gnomon {
@@ -26,8 +27,8 @@ struct VolumeCount {
 /// One for each Silhouette.
 using VolumeCounts = std::array<VolumeCount, kSilhouettes>;
 
-/// Counts what litCasters() with CapFaces::Lit would be made of, for all silhouettes in one sweep over the
-/// edges and without building anything: for many lights.
+/// Counts what litCasters() with CapFaces::Lit would be made of, for all silhouettes at once and without
+/// building anything: for many lights.
 class SilhouetteCounter {
   public:
     /// @pre @p scene outlives this
@@ -38,15 +39,15 @@ class SilhouetteCounter {
 
   private:
     /// One casting object.
-    struct Edges {
-        const Object* object = nullptr;
-        std::vector<std::uint32_t> begins{0};  ///< edge i is uses [begins[i], begins[i + 1])
-        std::vector<std::uint32_t> uses{};     ///< 2 * triangle, + 1 if it walks the edge downwards
+    struct Part {
+        CasterMesh mesh;
+        bool twoSided = false;
     };
-    void add(const Edges& edges, const glm::vec4& light, VolumeCounts& counts);
+    void add(const Part& part, const glm::vec4& light, VolumeCounts& counts);
 
-    std::vector<Edges> m_objects{};
-    std::vector<std::int8_t> m_caps{};  ///< per triangle: 1 a cap, -1 turned round, 0 none
+    std::vector<Part> m_parts{};
+    Facing m_facing{};  ///< kept for its memory, as the walks are
+    std::vector<std::uint32_t> m_lit{}, m_away{};
 };
 
 }  // namespace gnomon

@@ -40,6 +40,9 @@ TEST(SilhouetteCounter, CountsWhatIsBuiltOfAClosedMesh) {
     scene.objects.push_back({.mesh = cube({4, 0, 0}, 1)});
     scene.objects.push_back({.mesh = cube({0, -5, 0}, 2), .casts = false});
     for (const glm::vec4& light : kLights) expectAsBuilt(scene, light);
+    // Both sides cast: where a lit triangle meets one that faces away, two sides hang from their edge.
+    scene.objects[0].twoSided = true;
+    for (const glm::vec4& light : kLights) expectAsBuilt(scene, light);
 }
 
 // Few vertices and many triangles: edges of any valence, duplicates, conflicts.
