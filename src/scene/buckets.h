@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace gnomon {
@@ -36,9 +35,6 @@ class Buckets {
                 run(v, std::span(m_items).subspan(i, end - i));
             }
     }
-
-    /// All items, bucket by bucket; none are left here.
-    std::vector<Item> take() { return std::move(m_items); }
 
   private:
     std::vector<std::size_t> m_begins;
