@@ -11,6 +11,7 @@ void addPlan(CLI::App& app, int& status);
 void addProfiles(CLI::App& app, int& status);
 void addMethods(CLI::App& app, int& status);
 void addScenes(CLI::App& app, int& status);
+void addMesh(CLI::App& app, int& status);
 void addReproduce(CLI::App& app, int& status);
 
 }  // namespace gnomon

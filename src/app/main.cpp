@@ -22,6 +22,7 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addProfiles(app, status);
     gnomon::addMethods(app, status);
     gnomon::addScenes(app, status);
+    gnomon::addMesh(app, status);
 }
 
 int fail(Exit status, const std::string& what) {

@@ -66,13 +66,15 @@ Scene sceneOfMesh(const std::filesystem::path& file, const SceneOverrides& overr
     scene.title = file.filename().string();
     scene.objects = std::move(mesh.objects);
     scene.notes = std::move(mesh.notes);
+    scene.dropped = std::move(mesh.dropped);
     const Bounds bounds = boundsOf(scene.objects);
 
     adoptCameras(mesh, bounds, scene);
     if (scene.frames.empty())
         scene.frames.push_back(framingCamera(bounds, overrides.fovDegrees.value_or(45)));
     scene.lights = std::move(mesh.lights);
-    if (scene.lights.empty()) scene.lights.push_back(framingLight(bounds));
+    scene.chosenLight = scene.lights.empty();
+    if (scene.chosenLight) scene.lights.push_back(framingLight(bounds));
     return scene;
 }
 
@@ -83,6 +85,7 @@ void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene
         if (light.position.w == 0)
             light.position = glm::vec4(glm::vec3(glm::normalize(glm::dvec3(light.position))), 0);
         scene.lights = {light};
+        scene.chosenLight = false;
     }
     if (overrides.eye || overrides.target) {
         Camera camera = scene.frames.front();

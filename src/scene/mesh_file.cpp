@@ -42,7 +42,8 @@ class Importer {
         if (facts.otherPrimitives > 0)
             m_out.notes.push_back(fmt::format("{} point or line primitive{} ignored", facts.otherPrimitives,
                                               facts.otherPrimitives == 1 ? "" : "s"));
-        if (const std::string dropped = describe(m_dropped); !dropped.empty()) m_out.notes.push_back(dropped);
+        if (const std::string dropped = describe(m_out.dropped); !dropped.empty())
+            m_out.notes.push_back(dropped);
         if (m_empty > 0)
             m_out.notes.push_back(
                 fmt::format("{} mesh{} without a triangle left dropped", m_empty, m_empty == 1 ? "" : "es"));
@@ -84,7 +85,7 @@ class Importer {
         // A mirror turns fronts into backs (glTF 2.0, section 3.7.4).
         if (glm::determinant(glm::dmat3(worldFromNode)) < 0)
             for (glm::uvec3& t : triangles) std::swap(t.y, t.z);
-        object.mesh = weld(positions, triangles, m_dropped);
+        object.mesh = weld(positions, triangles, m_out.dropped);
         if (object.mesh.triangles.empty()) {
             ++m_empty;
             return;
@@ -112,7 +113,6 @@ class Importer {
     const aiScene& m_scene;
     std::size_t m_materials;
     MeshFile& m_out;
-    Dropped m_dropped{};
     std::size_t m_triangles = 0, m_empty = 0;
 };
 

@@ -14,6 +14,7 @@ struct MeshFile {
     std::vector<Camera> cameras{};  ///< near planes as in the file
     bool isGltf = false;
     std::vector<std::string> notes{};
+    Dropped dropped{};
 };
 
 /// True for the extensions that loadMeshFile() knows: .obj .ply .stl .gltf .glb, in any case.

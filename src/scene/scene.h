@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
@@ -38,17 +39,27 @@ struct Camera {
     float nearPlane = 0.1f;  ///< distance of the near plane from the eye
 };
 
+/// Triangles that a loader left out of casting objects, since nothing of them can be drawn.
+struct Dropped {
+    std::size_t repeatedVertex = 0;  ///< two corners are the same vertex
+    /// Corners, world space, of those without area: three vertices exactly on one line. They can close a mesh
+    /// that is open without them.
+    std::vector<std::array<glm::vec3, 3>> flat{};
+};
+
 /// All that a frame shows. Value type; owns its meshes.
 struct Scene {
     std::string id{};     ///< file stem, or the path as given for a mesh file
     std::string title{};  ///< one line for lists
     std::vector<Object> objects{};
     std::vector<Light> lights{};
+    bool chosenLight = false;      ///< the file has no light; the one above is the loader's
     std::vector<Camera> frames{};  ///< the camera path, at least one
     float ambient = 0.2f;          ///< share of the reflectance that shows without any light, 0..1
     glm::vec3 background{0.5f, 0.6f, 0.7f};
     /// What the loader dropped or chose, one line each: "12 degenerate triangles dropped".
     std::vector<std::string> notes{};
+    Dropped dropped{};
 };
 
 /// Number of triangles of all objects.

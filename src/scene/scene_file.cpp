@@ -176,7 +176,7 @@ std::vector<Camera> readCamera(const Table& table) {
 }
 
 /// The parameters of all shapes; each allows its own beside the common ones.
-std::vector<Object> readShape(const Table& table, std::vector<std::string>& notes) {
+std::vector<Object> readShape(const Table& table, std::vector<std::string>& notes, Dropped& dropped) {
     const std::string shape = table.text("shape");
     const auto allow = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> keys{"name",  "shape",  "at",    "rotate",
@@ -247,13 +247,15 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
         }
         for (const std::string& note : mesh.notes)
             notes.push_back(fmt::format("{}: {}", printable(table.text("file")), note));
+        dropped = std::move(mesh.dropped);
         return std::move(mesh.objects);
     }
     table.bad(table.need("shape"), fmt::format("unknown shape '{}'", printable(shape)));
 }
 
 void readObject(const Table& table, Scene& scene) {
-    std::vector<Object> parts = readShape(table, scene.notes);
+    Dropped unmoved;
+    std::vector<Object> parts = readShape(table, scene.notes, unmoved);
     const std::string name = table.text("name", table.text("shape"));
     const glm::dvec3 at = table.vector("at", glm::dvec3(0));
     const double scale = table.number("scale", kTiny, kLargest, 1);
@@ -264,22 +266,33 @@ void readObject(const Table& table, Scene& scene) {
         if (glm::length(axis) == 0) table.bad(table.need("rotate"), "'rotate' needs an axis that isn't zero");
         turn = glm::rotate(glm::dmat4(1), glm::radians(r[3]), axis);
     }
+    const auto move = [&](glm::vec3& p) {
+        const glm::dvec3 moved = at + glm::dmat3(turn) * (scale * glm::dvec3(p));
+        for (int k = 0; k < 3; ++k)
+            if (const std::string fault = coordinateFault(moved[k]); !fault.empty()) table.bad(fault);
+        p = glm::vec3(moved);
+    };
+    const bool casts = table.flag("casts", true);
+    if (!casts) unmoved = {};
+    scene.dropped.repeatedVertex += unmoved.repeatedVertex;
+    for (auto corners : unmoved.flat) {
+        for (glm::vec3& p : corners) move(p);
+        scene.dropped.flat.push_back(corners);
+    }
     for (Object& part : parts) {
         part.name = parts.size() == 1 ? name : name + "/" + part.name;
         part.colour = table.colour("colour", part.colour);
-        part.casts = table.flag("casts", true);
+        part.casts = casts;
         part.twoSided = table.flag("two_sided", part.twoSided);
-        for (glm::vec3& p : part.mesh.positions) {
-            const glm::dvec3 moved = at + glm::dmat3(turn) * (scale * glm::dvec3(p));
-            for (int k = 0; k < 3; ++k)
-                if (const std::string fault = coordinateFault(moved[k]); !fault.empty()) table.bad(fault);
-            p = glm::vec3(moved);
-        }
+        for (glm::vec3& p : part.mesh.positions) move(p);
         // Moved vertices are rounded: some may coincide now.
         Dropped dropped;
         part.mesh = weld(part.mesh.positions, part.mesh.triangles, dropped);
         if (const std::string what = describe(dropped); !what.empty())
             scene.notes.push_back(fmt::format("{}: {}", part.name, what));
+        if (!casts) dropped = {};
+        scene.dropped.repeatedVertex += dropped.repeatedVertex;
+        scene.dropped.flat.insert(scene.dropped.flat.end(), dropped.flat.begin(), dropped.flat.end());
         if (!part.mesh.triangles.empty()) scene.objects.push_back(std::move(part));
     }
 }

@@ -35,6 +35,10 @@ std::vector<std::uint32_t> firstEqual(std::span<const glm::vec3> positions) {
     return first;
 }
 
+bool repeatsVertex(const glm::uvec3& t) {
+    return t.x == t.y || t.y == t.z || t.z == t.x;
+}
+
 /// Twice the area, as a vector. The differences of floats and their products are exact in double unless their
 /// exponents lie far apart, so that exactly collinear corners give exactly zero.
 glm::dvec3 areaVector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
@@ -112,12 +116,12 @@ Mesh weld(std::span<const glm::vec3> positions, std::span<const glm::uvec3> tria
     mesh.triangles.reserve(triangles.size());
     for (const glm::uvec3& t : triangles) {
         glm::uvec3 corners(first[t.x], first[t.y], first[t.z]);
-        if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x) {
+        if (repeatsVertex(corners)) {
             ++dropped.repeatedVertex;
             continue;
         }
         if (areaVector(positions[corners.x], positions[corners.y], positions[corners.z]) == glm::dvec3(0)) {
-            ++dropped.zeroArea;
+            dropped.flat.push_back({positions[corners.x], positions[corners.y], positions[corners.z]});
             continue;
         }
         for (int k = 0; k < 3; ++k) {
@@ -133,11 +137,43 @@ Mesh weld(std::span<const glm::vec3> positions, std::span<const glm::uvec3> tria
     return mesh;
 }
 
+Mesh joinCasters(const Scene& scene, bool withFlat) {
+    std::vector<glm::vec3> positions;
+    Mesh mesh;
+    for (const Object& object : scene.objects) {
+        if (!object.casts) continue;
+        const auto base = glm::uvec3(std::uint32_t(positions.size()));
+        positions.insert(positions.end(), object.mesh.positions.begin(), object.mesh.positions.end());
+        for (const glm::uvec3& t : object.mesh.triangles) mesh.triangles.push_back(t + base);
+    }
+    if (withFlat)
+        for (const auto& corners : scene.dropped.flat) {
+            const auto base = std::uint32_t(positions.size());
+            positions.insert(positions.end(), corners.begin(), corners.end());
+            mesh.triangles.emplace_back(base, base + 1, base + 2);
+        }
+
+    const std::vector<std::uint32_t> first = firstEqual(positions);
+    std::vector<std::uint32_t> welded(positions.size());
+    for (std::uint32_t v = 0; v < positions.size(); ++v) {
+        if (first[v] == v) {
+            welded[v] = std::uint32_t(mesh.positions.size());
+            mesh.positions.push_back(positions[v] + 0.0f);
+        } else {
+            welded[v] = welded[first[v]];
+        }
+    }
+    for (glm::uvec3& t : mesh.triangles) t = {welded[t.x], welded[t.y], welded[t.z]};
+    // A scene file may have moved a triangle without area so that it repeats a vertex now.
+    std::erase_if(mesh.triangles, repeatsVertex);
+    return mesh;
+}
+
 std::string describe(const Dropped& dropped) {
-    const std::size_t sum = dropped.repeatedVertex + dropped.zeroArea;
+    const std::size_t sum = dropped.repeatedVertex + dropped.flat.size();
     if (sum == 0) return {};
     return fmt::format("{} degenerate triangle{} dropped ({} repeat a vertex, {} have no area)", sum,
-                       sum == 1 ? "" : "s", dropped.repeatedVertex, dropped.zeroArea);
+                       sum == 1 ? "" : "s", dropped.repeatedVertex, dropped.flat.size());
 }
 
 }  // namespace gnomon

@@ -8,18 +8,18 @@
 
 namespace gnomon {
 
-/// Triangles that weld() left out, summed over meshes.
-struct Dropped {
-    std::size_t repeatedVertex = 0;  ///< two corners are the same vertex
-    std::size_t zeroArea = 0;        ///< three vertices exactly on one line
-};
-
 /// Makes one mesh of a triangle list: vertices at exactly the same float position become one (-0 is 0),
-/// triangles without area are dropped and counted, vertices that no triangle uses are left out. Duplicate
+/// triangles without area go to @p dropped, vertices that no triangle uses are left out. Duplicate
 /// triangles stay.
 ///
 /// @pre finite positions below kMaxCoordinate, indices in range
 Mesh weld(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Dropped& dropped);
+
+/// All casting objects as one mesh, vertices at exactly the same position merged across objects.
+///
+/// @param withFlat also the triangles without area that the loader dropped: the mesh as the file has it, but
+///                 for triangles that repeat a vertex
+Mesh joinCasters(const Scene& scene, bool withFlat);
 
 /// Cuts a polygon into corners - 2 triangles with its orientation: a fan where that turns no triangle over
 /// and leaves none without area, else by clipping ears; a fan again where no ear is left (self-crossing

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <span>
+#include <tuple>
+#include <utility>
 
+#include "volume/adjacency.h"
 #include "volume/orient.h"
 #include "volume/volume.h"
 
@@ -15,21 +18,28 @@ struct Walk {
     std::uint32_t triangle;
     std::uint32_t opposite;  ///< its third vertex
     bool forward;            ///< it walks from low to high
-    auto key() const { return std::pair(low, high); }
+    auto edge() const { return std::pair(low, high); }
     auto all() const { return std::tuple(low, high, !forward, opposite, triangle); }
 };
 
-/// All walks of @p mesh, edge by edge, lowest vertices first.
-std::vector<Walk> walksByEdge(const Mesh& mesh) {
+/// The walk 3 t + k of triangle t.
+Walk walkOf(const Mesh& mesh, std::uint32_t walk) {
+    const glm::uvec3 t = mesh.triangles[walk / 3];
+    const std::uint32_t k = walk % 3, next = nextCorner(k);
+    const std::uint32_t from = t[int(k)], to = t[int(next)];
+    return {std::min(from, to), std::max(from, to), walk / 3, t[int(nextCorner(next))], from < to};
+}
+
+/// The walks at all edges but those that two triangles walk in opposite directions, edge by edge, lowest
+/// vertices first.
+std::vector<Walk> oddWalks(const Mesh& mesh, const Adjacency& edges) {
     std::vector<Walk> walks;
-    walks.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t i = 0; i < mesh.triangles.size(); ++i) {
-        const glm::uvec3 t = mesh.triangles[i];
-        if (t.x == t.y || t.y == t.z || t.z == t.x) continue;
-        for (int k = 0; k < 3; ++k) {
-            const std::uint32_t from = t[k], to = t[(k + 1) % 3];
-            walks.push_back({std::min(from, to), std::max(from, to), i, t[(k + 2) % 3], from < to});
-        }
+    for (std::uint32_t walk = 0; walk < 3 * edges.triangles; ++walk) {
+        const std::uint32_t across = edges.across[walk];
+        const glm::uvec3 t = mesh.triangles[walk / 3];
+        const bool repeatsVertex = t.x == t.y || t.y == t.z || t.z == t.x;
+        if (across == edges.triangles || (across == walk / 3 && !repeatsVertex))
+            walks.push_back(walkOf(mesh, walk));
     }
     std::sort(walks.begin(), walks.end(), [](const Walk& a, const Walk& b) { return a.all() < b.all(); });
     return walks;
@@ -77,42 +87,53 @@ Fault notClosed(const Mesh& mesh, std::span<const Walk> edge) {
 
 /// Whether each light sees the same side of both: they lie in one plane and face the same way. The sign of
 /// orientation() in an axis's direction is that of the normal there.
-bool faceAlike(const Mesh& mesh, const Walk& a, const Walk& b) {
+bool faceAlike(const Mesh& mesh, const Walk& walk, std::uint32_t across) {
     const auto side = [&](std::uint32_t triangle, const glm::vec4& p) {
         const glm::uvec3 t = mesh.triangles[triangle];
         return orientation(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], p);
     };
-    if (side(a.triangle, glm::vec4(mesh.positions[b.opposite], 1)) != 0) return false;
+    for (int k = 0; k < 3; ++k) {
+        if (side(walk.triangle, glm::vec4(mesh.positions[mesh.triangles[across][k]], 1)) != 0) return false;
+    }
     for (int axis = 0; axis < 3; ++axis) {
         glm::vec4 towards(0);
         towards[axis] = 1;
-        if (side(a.triangle, towards) != side(b.triangle, towards)) return false;
+        if (side(walk.triangle, towards) != side(across, towards)) return false;
     }
     return true;
 }
 
-/// Two triangles of the edge that can be caps at once and walk it the same way then.
-Fault canWalkAlike(const Mesh& mesh, std::span<const Walk> edge, bool twoSided) {
-    for (std::size_t i = 1; i < edge.size(); ++i) {
-        const Walk &a = edge[i - 1], &b = edge[i];
-        if (a.forward == b.forward)
-            return fmt::format("triangles {} and {} walk the same way along {}", a.triangle, b.triangle,
-                               name(mesh, a));
-        if (twoSided && !faceAlike(mesh, a, b))
-            return fmt::format(
-                "two-sided: a light in front of triangle {} and behind {} has both walk the same "
-                "way along {}",
-                a.triangle, b.triangle, name(mesh, a));
+/// Two triangles that can be caps at once and walk the edge alike.
+Fault walkedAlike(const Mesh& mesh, std::span<const Walk> edge) {
+    const auto alike = std::adjacent_find(
+        edge.begin(), edge.end(), [](const Walk& a, const Walk& b) { return a.forward == b.forward; });
+    if (alike == edge.end()) return {};
+    return fmt::format("triangles {} and {} walk the same way along {}", alike[0].triangle, alike[1].triangle,
+                       name(mesh, edge[0]));
+}
+
+/// The first bend: there one of two triangles is turned round in some light, and walks the edge as the other.
+Fault bend(const Mesh& mesh, const Adjacency& edges) {
+    std::optional<std::pair<Walk, std::uint32_t>> first;
+    for (std::uint32_t walk = 0; walk < 3 * edges.triangles; ++walk) {
+        const std::uint32_t across = edges.across[walk];
+        if (across == edges.triangles || across <= walk / 3) continue;  // each pair once
+        const Walk here = walkOf(mesh, walk);
+        if (first && first->first.edge() < here.edge()) continue;
+        if (!faceAlike(mesh, here, across)) first = {here, across};
     }
-    return {};
+    if (!first) return {};
+    return fmt::format(
+        "two-sided: a light in front of triangle {} and behind {} has both walk the same way along {}",
+        first->first.triangle, first->second, name(mesh, first->first));
 }
 
 /// The first fault that @p check(mesh, walks of one edge) finds.
 template <class Check>
-Fault firstFault(const Mesh& mesh, const Check& check) {
-    const std::vector<Walk> walks = walksByEdge(mesh);
+Fault firstFault(const Mesh& mesh, const Adjacency& edges, const Check& check) {
+    const std::vector<Walk> walks = oddWalks(mesh, edges);
     for (std::size_t begin = 0, end = 0; begin < walks.size(); begin = end) {
-        while (end < walks.size() && walks[end].key() == walks[begin].key()) ++end;
+        while (end < walks.size() && walks[end].edge() == walks[begin].edge()) ++end;
         if (Fault fault = check(mesh, std::span(walks).subspan(begin, end - begin))) return fault;
     }
     return {};
@@ -124,10 +145,11 @@ std::optional<std::string> refusal(const Scene& scene, Silhouette silhouette, Ca
     for (std::size_t i = 0; i < scene.objects.size(); ++i) {
         const Object& object = scene.objects[i];
         if (!object.casts) continue;
+        const Adjacency edges = adjacency(object.mesh.triangles);
         Fault fault;
-        if (silhouette == Silhouette::Manifold) fault = firstFault(object.mesh, notManifold);
+        if (silhouette == Silhouette::Manifold) fault = firstFault(object.mesh, edges, notManifold);
         if (!fault && capFaces == CapFaces::Away && !object.twoSided)
-            fault = firstFault(object.mesh, notClosed);
+            fault = firstFault(object.mesh, edges, notClosed);
         if (fault) return fmt::format("object {} ({}): {}", i, object.name, *fault);
     }
     return {};
@@ -135,8 +157,9 @@ std::optional<std::string> refusal(const Scene& scene, Silhouette silhouette, Ca
 
 std::optional<std::string> limitation(const Mesh& mesh, Silhouette silhouette, bool twoSided) {
     if (silhouette != Silhouette::Triangular && silhouette != Silhouette::Visible) return {};
-    return firstFault(
-        mesh, [&](const Mesh& m, std::span<const Walk> edge) { return canWalkAlike(m, edge, twoSided); });
+    const Adjacency edges = adjacency(mesh.triangles);
+    const Fault fault = firstFault(mesh, edges, walkedAlike);
+    return fault || !twoSided ? fault : bend(mesh, edges);
 }
 
 }  // namespace gnomon

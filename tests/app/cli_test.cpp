@@ -41,8 +41,8 @@ class Program : public ProgramTest {
     }
 };
 
-constexpr const char* kCommands[] = {"matrix",   "render",  "plan",  "reproduce",
-                                     "profiles", "methods", "scenes"};
+constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "reproduce",
+                                     "profiles", "methods", "scenes", "mesh"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
     const Outcome help = run({"--help"});

