@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 #include <stdexcept>
 
 namespace gnomon {
@@ -63,32 +62,39 @@ class DenseNumbers {
     std::size_t m_count = 0;
 };
 
+/// Memory for @p count values, whatever they are now.
+template <class T>
+T* atLeast(std::vector<T>& values, std::size_t count) {
+    if (values.size() < count) values.resize(count);
+    return values.data();
+}
+
 class Builder {
   public:
-    explicit Builder(std::span<const glm::uvec3> triangles)
-        : m_numbers(triangles), m_triangles(m_numbers.triangles()), m_none(std::uint32_t(triangles.size())) {}
+    Builder(std::span<const glm::uvec3> triangles, AdjacencyScratch& scratch, Adjacency& result)
+        : m_numbers(triangles),
+          m_triangles(m_numbers.triangles()),
+          m_none(std::uint32_t(triangles.size())),
+          m_scratch(scratch),
+          m_result(result) {}
 
-    Adjacency build() {
+    void build() {
         m_result.triangles = m_none;
         m_result.across.assign((std::size_t(m_none) / 64 + 1) * 192, m_none);
-        if (m_none == 0) return std::move(m_result);
+        m_result.crowded.clear();
+        m_result.crowds.clear();
+        if (m_none == 0) return;
         sortForwardWalks();
         pairBackwardWalks();
         if (m_pairs != m_forwards || !m_left.empty()) {
             leaveUnpairedForwards();
             groupLeftWalks();
         }
-        return std::move(m_result);
     }
 
   private:
-    /// A walk from a low to a high vertex, in the bucket of the low one.
-    struct Forward {
-        std::uint32_t to, walk;
-    };
-    struct Backward {
-        std::uint32_t from, bucket, walk;
-    };
+    using Forward = AdjacencyScratch::Forward;
+    using Backward = AdjacencyScratch::Backward;
     /// A walk that has no partner yet.
     struct Left {
         std::uint64_t edge;       ///< low vertex above, high vertex below
@@ -97,12 +103,12 @@ class Builder {
         auto key() const { return std::pair(edge, triangle4); }
     };
 
-    /// Counting sort: bucket v is m_buckets[m_ends[v - 1] .. m_ends[v]]. Without branches on the direction of
-    /// a walk: it is random where vertices are numbered at random.
+    /// Counting sort: bucket v is m_buckets[m_scratch.ends[v - 1] .. m_scratch.ends[v]]. Without branches on
+    /// the direction of a walk: it is random where vertices are numbered at random.
     void sortForwardWalks() {
         const std::uint32_t first = m_numbers.first();
-        m_ends.assign(m_numbers.count() + 1, 0);
-        std::uint32_t* ends = m_ends.data() + 1;
+        m_scratch.ends.assign(m_numbers.count() + 1, 0);
+        std::uint32_t* ends = m_scratch.ends.data() + 1;
         for (const glm::uvec3& t : m_triangles) {
             if (repeatsVertex(t)) continue;
             ends[t.x - first] += (t.x < t.y) + 0u;
@@ -115,8 +121,8 @@ class Builder {
             m_forwards += size;
         }
 
-        m_buckets = std::make_unique_for_overwrite<Forward[]>(std::size_t(m_forwards) + 1);
-        m_backwards = std::make_unique_for_overwrite<Backward[]>(3 * m_triangles.size() - m_forwards + 1);
+        m_buckets = atLeast(m_scratch.forward, std::size_t(m_forwards) + 1);
+        Backward* backward = atLeast(m_scratch.backward, 3 * m_triangles.size() - m_forwards + 1);
         for (std::uint32_t i = 0; i < m_none; ++i) {
             const glm::uvec3 t = m_triangles[i];
             if (repeatsVertex(t)) {
@@ -128,7 +134,7 @@ class Builder {
                 const std::uint32_t end = ends[from - first];
                 ends[from - first] = end + forward;
                 m_buckets[forward ? end : m_forwards] = {to, walk};  // the last place takes the others
-                m_backwards[m_backwardCount] = {from, to - first, walk};
+                backward[m_backwardCount] = {from, to - first, walk};
                 m_backwardCount += !forward;
             };
             put(t.x, t.y, 3 * i);
@@ -143,8 +149,8 @@ class Builder {
     /// Pairs a backward walk with the forward walk of its edge if each is the only one of its kind there.
     void pairBackwardWalks() {
         std::uint32_t* across = m_result.across.data();
-        for (const auto& [from, low, walk] : std::span(m_backwards.get(), m_backwardCount)) {
-            const std::uint32_t begin = m_ends[low], end = m_ends[low + 1];
+        for (const auto& [from, low, walk] : std::span(m_scratch.backward).first(m_backwardCount)) {
+            const std::uint32_t begin = m_scratch.ends[low], end = m_scratch.ends[low + 1];
             if (end - begin > kLongBucket) {
                 leave(walk);
                 continue;
@@ -231,19 +237,25 @@ class Builder {
     DenseNumbers m_numbers;
     std::span<const glm::uvec3> m_triangles;
     std::uint32_t m_none;  ///< number of triangles
-    std::vector<std::uint32_t> m_ends{};
-    std::unique_ptr<Forward[]> m_buckets{};
-    std::unique_ptr<Backward[]> m_backwards{};
+    Forward* m_buckets = nullptr;
+    AdjacencyScratch& m_scratch;
+    Adjacency& m_result;
     std::uint32_t m_forwards = 0, m_backwardCount = 0, m_pairs = 0;
     std::vector<Left> m_left{};
-    Adjacency m_result{};
 };
 
 }  // namespace
 
-Adjacency adjacency(std::span<const glm::uvec3> triangles) {
+void findAdjacency(std::span<const glm::uvec3> triangles, AdjacencyScratch& scratch, Adjacency& result) {
     if (triangles.size() > kMaxTriangles) throw std::length_error("a mesh of more than 2^30 triangles");
-    return Builder(triangles).build();
+    Builder(triangles, scratch, result).build();
+}
+
+Adjacency adjacency(std::span<const glm::uvec3> triangles) {
+    AdjacencyScratch scratch;
+    Adjacency result;
+    findAdjacency(triangles, scratch, result);
+    return result;
 }
 
 }  // namespace gnomon

@@ -39,7 +39,26 @@ struct Adjacency {
     }
 };
 
+/// Memory that adjacency() works in. Handed in again for the next mesh it saves the system's time to find
+/// fresh pages, which is as long as the work itself.
+struct AdjacencyScratch {
+    /// A walk from a low to a high vertex, in the bucket of the low one.
+    struct Forward {
+        std::uint32_t to, walk;
+    };
+    /// A walk from a high vertex to the low one of a bucket.
+    struct Backward {
+        std::uint32_t from, bucket, walk;
+    };
+    std::vector<std::uint32_t> ends{};
+    std::vector<Forward> forward{};
+    std::vector<Backward> backward{};
+};
+
 /// @throws std::length_error for more than 2^30 triangles
+void findAdjacency(std::span<const glm::uvec3> triangles, AdjacencyScratch& scratch, Adjacency& result);
+
+/// The same with memory of its own.
 Adjacency adjacency(std::span<const glm::uvec3> triangles);
 
 /// The edge's end that follows corner @p k of a triangle.

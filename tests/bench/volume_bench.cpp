@@ -6,7 +6,7 @@
 /// names   <step>/<order>/<triangles>; "Scalar..." is the plain loop to compare with. Time is that of the
 /// CPU.
 ///
-///   Adjacency     which triangle is across each edge
+///   Adjacency     which triangle is across each edge; AdjacencyOnce in fresh memory each time
 ///   ZPass         facing, sides
 ///   ZFail         facing, sides, both caps as lists of vertices
 ///   Counter       facing, sides of a mesh that needs the signed counter at every edge (two tori in one
@@ -177,8 +177,21 @@ class Cache {
         return *at;
     }
 
+    const CasterMesh& casters(const Mesh& mesh) {
+        auto& at = m_casters[&mesh];
+        if (!at) at = std::make_unique<CasterMesh>(mesh.positions, mesh.triangles);
+        return *at;
+    }
+    Scalar& scalar(const Mesh& mesh) {
+        auto& at = m_scalars[&mesh];
+        if (!at) at = std::make_unique<Scalar>(mesh);
+        return *at;
+    }
+
   private:
     std::map<std::pair<std::uint32_t, Order>, std::unique_ptr<Mesh>> m_meshes{}, m_doubled{};
+    std::map<const Mesh*, std::unique_ptr<CasterMesh>> m_casters{};
+    std::map<const Mesh*, std::unique_ptr<Scalar>> m_scalars{};
 };
 
 Cache& cache() {
@@ -187,6 +200,16 @@ Cache& cache() {
 }
 
 void adjacencyOf(benchmark::State& state, std::uint32_t n, Order order) {
+    const Mesh& mesh = cache().mesh(n, order);
+    AdjacencyScratch scratch;
+    Adjacency result;
+    for (auto _ : state) {
+        findAdjacency(mesh.triangles, scratch, result);
+        benchmark::DoNotOptimize(result.across.data());
+    }
+}
+
+void adjacencyOnce(benchmark::State& state, std::uint32_t n, Order order) {
     const Mesh& mesh = cache().mesh(n, order);
     for (auto _ : state) benchmark::DoNotOptimize(adjacency(mesh.triangles).across.data());
 }
@@ -214,7 +237,7 @@ void scalarAdjacency(benchmark::State& state, std::uint32_t n, Order order) {
 
 template <class Step>
 void update(benchmark::State& state, const Mesh& mesh, const Kernels& with, const Step& step) {
-    const CasterMesh casters(mesh.positions, mesh.triangles);
+    const CasterMesh& casters = cache().casters(mesh);
     Update buffers;
     int i = 0;
     for (auto _ : state) step(buffers, casters, ringLight(i++ % kLights, kLights), with);
@@ -224,7 +247,7 @@ void update(benchmark::State& state, const Mesh& mesh, const Kernels& with, cons
 
 template <class Step>
 void scalarUpdate(benchmark::State& state, const Mesh& mesh, const Step& step) {
-    Scalar scalar(mesh);
+    Scalar& scalar = cache().scalar(mesh);
     int i = 0;
     for (auto _ : state) {
         scalar.face(ringLight(i++ % kLights, kLights));
@@ -304,6 +327,8 @@ int main(int argc, char** argv) {
             const std::string tail =
                 std::string(order == Grid ? "/grid/" : "/shuffled/") + std::to_string(2 * n * n);
             benchmark::RegisterBenchmark(("Adjacency" + tail).c_str(), adjacencyOf, n, order)
+                ->Unit(benchmark::kMillisecond);
+            benchmark::RegisterBenchmark(("AdjacencyOnce" + tail).c_str(), adjacencyOnce, n, order)
                 ->Unit(benchmark::kMillisecond);
             for (const Kernels& with : kernels()) registerUpdates(tail, n, order, with);
             registerScalar(tail, n, order);

@@ -34,7 +34,9 @@ std::map<Edge, std::array<std::vector<std::uint32_t>, 2>> trianglesByEdge(
 
 /// Every walk and every crowd of adjacency() must be what the slow way finds.
 void expectRight(std::span<const glm::uvec3> triangles) {
-    const Adjacency found = adjacency(triangles);
+    static AdjacencyScratch scratch;  // both as the mesh before left them
+    static Adjacency found;
+    findAdjacency(triangles, scratch, found);
     ASSERT_EQ(found.triangles, triangles.size());
     ASSERT_GE(found.across.size(), 192 * (triangles.size() / 64 + 1));
     const auto expected = trianglesByEdge(triangles);
