@@ -20,6 +20,7 @@ struct Options {
 
 int run(Options options) {
     options.scenes.ground = "no";
+    options.scenes.lights = "all";
     std::vector<MeshFacts> meshes;
     for (const Scene& scene : options.scenes.load()) {
         if (std::none_of(scene.objects.begin(), scene.objects.end(),

@@ -7,6 +7,7 @@
 #include "gl/capability.h"
 #include "matrix/causes.h"
 #include "volume/blockers.h"
+#include "volume/silhouette_finder.h"
 
 namespace gnomon {
 namespace {
@@ -62,10 +63,11 @@ struct VolumeKey {
 /// are built.
 std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes,
                       const std::vector<VolumeKey>& volumes) {
-    std::string key = fmt::format(
-        "{}.{}.{}.{}.{}.{} {}x{} {}x{} {}x{} {} {} {} {} {}", f.red, f.green, f.blue, f.alpha, f.depth, f.stencil,
-        plan.maskWidth, plan.maskHeight, plan.textureWidth, plan.textureHeight, plan.frameTextureWidth,
-        plan.frameTextureHeight, plan.threshold, plan.shadowShare, plan.mapSize, plan.mapBias, name(plan.clip));
+    std::string key =
+        fmt::format("{}.{}.{}.{}.{}.{} {}x{} {}x{} {}x{} {} {} {} {} {}", f.red, f.green, f.blue, f.alpha,
+                    f.depth, f.stencil, plan.maskWidth, plan.maskHeight, plan.textureWidth,
+                    plan.textureHeight, plan.frameTextureWidth, plan.frameTextureHeight, plan.threshold,
+                    plan.shadowShare, plan.mapSize, plan.mapBias, name(plan.clip));
     for (const VolumeKey& v : volumes) {
         key += fmt::format(" {} {} {} {} {} ", name(v.silhouette), name(v.capFaces), name(v.style.clip),
                            v.style.flatten, v.style.offset);
@@ -74,8 +76,8 @@ std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes,
     // What decides of causes and of what is a tie.
     key += fmt::format(" {} {} {}", name(axes.arithmetic), name(axes.store), axes.levels);
     for (const Pass& pass : plan.passes)
-        key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading), pass.light,
-                           int(pass.drawn), pass.stencilValue);
+        key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading),
+                           pass.light, int(pass.drawn), pass.stencilValue);
     return key;
 }
 
@@ -96,6 +98,7 @@ struct Lab::Impl {
     explicit Impl(Scene s) : scene(std::move(s)) {}
 
     Scene scene;
+    std::optional<SilhouetteFinder> finder{};
     std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
     std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
         tracers{};  ///< count ties are about the sides that are drawn
@@ -107,7 +110,8 @@ struct Lab::Impl {
     std::optional<FrameSurfaces> surfaces{};
     std::map<std::pair<int, VolumeKey>, std::shared_ptr<const FrameVolumes>> volumes{};
     std::map<int, std::shared_ptr<const LightColours>> colours{};
-    std::map<std::tuple<int, int, Silhouette>, std::shared_ptr<const Truth>> truths{};  ///< by light, depth bits
+    std::map<std::tuple<int, int, Silhouette>, std::shared_ptr<const Truth>>
+        truths{};  ///< by light, depth bits
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
     std::map<BufferFormat, double> unshadowed{};
@@ -134,8 +138,10 @@ struct Lab::Impl {
     View view() const { return viewOf(scene.frames[std::size_t(key.frame)], key.width, key.height); }
 
     const std::vector<LitCaster>& litOf(int index, Silhouette silhouette, CapFaces capFaces = CapFaces::Lit) {
-        return kept(lit, {index, silhouette, capFaces},
-                    [&] { return litCasters(scene, light(index).position, silhouette, capFaces); });
+        return kept(lit, {index, silhouette, capFaces}, [&] {
+            if (!finder) finder.emplace(scene);
+            return finder->lit(light(index).position, silhouette, capFaces);
+        });
     }
 
     bool eyeInVolumes(int index) {
@@ -156,10 +162,9 @@ struct Lab::Impl {
 
     std::shared_ptr<const FrameVolumes> volumesOf(int index, const VolumeKey& k) {
         return kept(volumes, {index, k}, [&] {
-            return std::make_shared<const FrameVolumes>(frameVolumes(scene,
-                                                                     litOf(index, k.silhouette, k.capFaces),
-                                                                     light(index).position, view(), k.parts,
-                                                                     k.style));
+            return std::make_shared<const FrameVolumes>(
+                frameVolumes(scene, litOf(index, k.silhouette, k.capFaces), light(index).position, view(),
+                             k.parts, k.style));
         });
     }
 
@@ -170,7 +175,8 @@ struct Lab::Impl {
 
     std::shared_ptr<const LightColours> coloursOf(int index) {
         return kept(colours, index, [&] {
-            return std::make_shared<const LightColours>(lightColours(scene, light(index), view(), surfacesOf()));
+            return std::make_shared<const LightColours>(
+                lightColours(scene, light(index), view(), surfacesOf()));
         });
     }
 
@@ -323,25 +329,24 @@ struct Lab::Impl {
         return combined(judgements);
     }
 
-    void addCauses(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format, int index,
-                   const Judgement& judgement, const Truth& truth) {
+    void addCauses(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format,
+                   int index, const Judgement& judgement, const Truth& truth) {
         static const FrameVolumes kNone;
-        const bool hasVolumes = axes.store != Store::None && axes.store != Store::DepthMap &&
-                                axes.count != Count::AtomicZp;
+        const bool hasVolumes =
+            axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
         const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
                                       : std::shared_ptr<const FrameVolumes>();
-        const auto causes =
-            causesOf({.judgement = judgement,
-                      .truth = truth,
-                      .axes = axes,
-                      .view = view(),
-                      .surfaces = surfacesOf(),
-                      .volumes = drawn ? *drawn : kNone,
-                      .eyeInVolume = eyeInVolumes(index),
-                      .depthBits = format.depth,
-                      .maskBits = axes.store == Store::Alpha
-                                      ? format.alpha
-                                      : std::min({format.red, format.green, format.blue})});
+        const auto causes = causesOf({.judgement = judgement,
+                                      .truth = truth,
+                                      .axes = axes,
+                                      .view = view(),
+                                      .surfaces = surfacesOf(),
+                                      .volumes = drawn ? *drawn : kNone,
+                                      .eyeInVolume = eyeInVolumes(index),
+                                      .depthBits = format.depth,
+                                      .maskBits = axes.store == Store::Alpha
+                                                      ? format.alpha
+                                                      : std::min({format.red, format.green, format.blue})});
         for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };
@@ -393,7 +398,8 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             cell.passes = countPasses(plan);
             return cell;
         }
-        const std::string key = resultKey(bufferFormatOf(profile), plan, axes, m_impl->volumeKeys(profile, axes));
+        const std::string key =
+            resultKey(bufferFormatOf(profile), plan, axes, m_impl->volumeKeys(profile, axes));
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;

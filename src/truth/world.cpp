@@ -25,9 +25,9 @@ std::vector<LitTriangle> trianglesOf(const Scene& scene, const glm::vec4& light)
 
 std::vector<SideEdge> sidesOf(const Scene& scene, const glm::vec4& light, Silhouette silhouette) {
     std::vector<SideEdge> sides;
-    for (const Caster& caster : casters(scene)) {
+    for (const LitCaster& caster : litCasters(scene, light, silhouette)) {
         const auto& positions = scene.objects[caster.object].mesh.positions;
-        for (const Side& side : litCaster(scene, caster, light, silhouette).sides)
+        for (const Side& side : caster.sides)
             sides.push_back({positions[side.from], positions[side.to], side.weight});
     }
     return sides;
