@@ -61,6 +61,8 @@ std::string summary(const Cell& cell) {
     for (const auto& [cause, pixels] : cell.causes) text += fmt::format("  {}: {}\n", cause, pixels);
     text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
                         cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
+    text += fmt::format("  cost: {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",
+                        cell.vertices, cell.cpuMs, cell.unshadowedMs);
     return text;
 }
 

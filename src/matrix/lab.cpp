@@ -289,6 +289,7 @@ struct Lab::Impl {
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
+        cell.vertices = rendered.counts.vertices;
         cell.cpuMs = rendered.cpuMs;
         const Judgement judgement = judged(cell, profile, axes, format, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
