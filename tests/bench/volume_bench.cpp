@@ -54,8 +54,9 @@ struct Update {
         for (const std::uint32_t walk : walks) sides.push_back({mesh.fromOf(walk), mesh.toOf(walk), 1});
         mesh.count(facing.lit, {}, [&](const Adjacency::Crowded& edge, const CasterMesh::Count& count) {
             const int weight = count.forward - count.backward;
-            if (weight > 0) sides.push_back({edge.low, edge.high, weight});
-            if (weight < 0) sides.push_back({edge.high, edge.low, -weight});
+            if (weight == 0) return;
+            sides.push_back(weight > 0 ? Side{edge.low, edge.high, weight}
+                                       : Side{edge.high, edge.low, -weight});
         });
         benchmark::DoNotOptimize(sides.data());
     }
