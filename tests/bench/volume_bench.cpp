@@ -1,9 +1,8 @@
 /// What finding shadow volumes costs on one core, beside plain scalar loops for the same in the same run.
 ///
-/// meshes  a closed torus grid with shared vertices, in grid order or with triangles and vertices shuffled;
-/// at
-///         each update the light stands elsewhere on a ring of 64
-/// names   step/order/triangles; "Scalar..." is the plain loop to compare with. Time is that of the CPU.
+/// The mesh is a closed torus grid with shared vertices, in grid order or with triangles and vertices
+/// shuffled; at each update the light stands elsewhere on a ring of 64. Names are step/order/triangles,
+/// "Scalar..." the plain loop to compare with. Times are those of the CPU.
 ///
 /// - Adjacency: which triangle is across each edge; AdjacencyOnce in fresh memory each time
 /// - ZPass: facing, sides
