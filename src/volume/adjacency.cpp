@@ -11,6 +11,8 @@ constexpr std::uint32_t kCrowded = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t kMaxTriangles = std::size_t(1) << 30;
 constexpr std::uint32_t kLongBucket = 64;  ///< above it searching a bucket from end to end doesn't pay
 
+constexpr std::size_t kAhead = 16;  ///< walks between fetching something and asking for it
+
 bool repeatsVertex(const glm::uvec3& t) {
     return t.x == t.y || t.y == t.z || t.z == t.x;
 }
@@ -149,7 +151,15 @@ class Builder {
     /// Pairs a backward walk with the forward walk of its edge if each is the only one of its kind there.
     void pairBackwardWalks() {
         std::uint32_t* across = m_result.across.data();
-        for (const auto& [from, low, walk] : std::span(m_scratch.backward).first(m_backwardCount)) {
+        const std::span<const Backward> walks = std::span(m_scratch.backward).first(m_backwardCount);
+        for (std::size_t at = 0; at < walks.size(); ++at) {
+            // Vertices in random order miss every cache: first the bucket's place is fetched, then the
+            // bucket.
+            if (at + 2 * kAhead < walks.size()) {
+                __builtin_prefetch(&m_scratch.ends[walks[at + 2 * kAhead].bucket]);
+                __builtin_prefetch(&m_buckets[m_scratch.ends[walks[at + kAhead].bucket]]);
+            }
+            const auto& [from, low, walk] = walks[at];
             const std::uint32_t begin = m_scratch.ends[low], end = m_scratch.ends[low + 1];
             if (end - begin > kLongBucket) {
                 leave(walk);

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "volume/adjacency.h"
@@ -55,9 +56,9 @@ class CasterMesh {
         std::uint32_t triangle = 0;     ///< one of those at the edge
     };
 
-    /// Calls @p visit(edge, count) for each crowded edge at which there is a cap, with @p caps wound as they
-    /// are and @p turned the other way round; either may be empty. The signed counter of Aldridge and Woods
-    /// (section 2.4) and all rules like it; at simple edges no counter ever exceeds 1.
+    /// Calls @p visit(edge, count) for each crowded edge, with @p caps wound as they are and @p turned the
+    /// other way round; one of them may be empty. The signed counter of Aldridge and Woods (section 2.4) and
+    /// all rules like it; at simple edges no counter ever exceeds 1.
     template <class Visit>
     void count(std::span<const std::uint64_t> caps, std::span<const std::uint64_t> turned,
                const Visit& visit) const;
@@ -67,6 +68,8 @@ class CasterMesh {
 
   private:
     std::size_t words() const { return m_triangles.size() / 64 + 1; }
+    template <bool Turned, class Visit>
+    void countEach(const std::uint64_t* caps, const std::uint64_t* turned, const Visit& visit) const;
     bool hasArea(const glm::uvec3& triangle) const;
     void setPlane(std::size_t triangle);
     float boundFor(const glm::dvec3& light, double w) const;
@@ -88,17 +91,32 @@ inline bool holds(std::span<const std::uint64_t> set, std::uint32_t triangle) {
 template <class Visit>
 void CasterMesh::count(std::span<const std::uint64_t> caps, std::span<const std::uint64_t> turned,
                        const Visit& visit) const {
+    if (turned.empty()) return countEach<false>(caps.data(), nullptr, visit);
+    if (caps.empty()) {  // those that walk one way when they aren't turned walk the other way when they are
+        return countEach<false>(turned.data(), nullptr, [&](const Adjacency::Crowded& edge, Count count) {
+            std::swap(count.forward, count.backward);
+            visit(edge, count);
+        });
+    }
+    countEach<true>(caps.data(), turned.data(), visit);
+}
+
+/// Without a branch on what is a cap: for the light that is random.
+template <bool Turned, class Visit>
+void CasterMesh::countEach(const std::uint64_t* caps, const std::uint64_t* turned, const Visit& visit) const {
     const std::uint32_t* at = m_edges.crowds.data();
     for (const Adjacency::Crowded& edge : m_edges.crowded) {
-        Count count{.triangle = *at / 4};
+        const std::uint32_t first = *at / 4;
+        std::uint64_t sums = 0;  // forward below, backward above
         for (bool last = false; !last; ++at) {
-            const int backward = *at & Adjacency::kBackward;
-            const int cap = holds(caps, *at / 4), turnedCap = holds(turned, *at / 4);
-            count.forward += backward ? turnedCap : cap;
-            count.backward += backward ? cap : turnedCap;
+            const std::uint32_t triangle = *at / 4, direction = (*at & Adjacency::kBackward) * 32;
+            sums += (caps[triangle / 64] >> (triangle % 64) & 1) << direction;
+            if constexpr (Turned) sums += (turned[triangle / 64] >> (triangle % 64) & 1) << (32 - direction);
             last = (*at & Adjacency::kLast) != 0;
         }
-        if (count.forward + count.backward > 0) visit(edge, count);
+        visit(edge, Count{.forward = static_cast<int>(sums & 0xffffffff),
+                          .backward = static_cast<int>(sums >> 32),
+                          .triangle = first});
     }
 }
 

@@ -63,7 +63,7 @@ struct LitCaster {
 ///   Winding      f - b, in the direction of its sign
 ///   Manifold     the same; only edges with two triangles are looked at
 ///   Triangular   one where f + b is odd: toggling leaves it in. In the direction of the majority, which no
-///                order of the triangles changes (published code keeps that of whichever comes last)
+///                order of the triangles changes (a list would keep that of whichever comes last)
 ///   Visible      one where f + b is 1, in the direction of that triangle
 ///   PerTriangle  all f + b
 /// So Triangular and Visible leave out sides where several caps walk an edge the same way: limitation().
