@@ -50,7 +50,10 @@ void addMethods(CLI::App& app, int& status) {
                     fmt::format("no such method '{}' (known: {})", options->id, fmt::join(known, ", ")));
             methods = {*findMethod(options->id)};
         }
-        fmt::print("{}", listMethods(methods, options->format.value()));
+        const Format format = options->format.value();
+        fmt::print("{}", listMethods(methods, format));
+        // JSON and CSV are one list; the values stand in each cell's own fields.
+        if (format == Format::Text && options->id.empty()) fmt::print("\n{}", listAxisValues(format));
         status = 0;
     });
 }

@@ -108,7 +108,8 @@ Pass& PlanBuilder::volume(int light, int index, Faces faces, Parts parts, Compar
 }
 
 void PlanBuilder::tap(int light, MaskPlace place) {
-    m_plan.masks.push_back({m_plan.passes.size(), light, place, place == MaskPlace::Stencil ? shadowTest() : Stencil{}});
+    m_plan.masks.push_back(
+        {m_plan.passes.size(), light, place, place == MaskPlace::Stencil ? shadowTest() : Stencil{}});
 }
 
 // LEQUAL lets the far cap pass where depth was cleared, so that the background counts out of every volume. A
@@ -117,9 +118,9 @@ void PlanBuilder::tap(int light, MaskPlace place) {
 void PlanBuilder::countInStencil(int light) {
     if (axes.arithmetic == Arithmetic::Parity) return countParity(light);
     const bool zfail = axes.count == Count::Zfail;
-    const bool wrap = axes.overflow == Overflow::Wrap ||
-                      (axes.overflow == Overflow::Either &&
-                       (m_profile.stencilWrap || axes.count == Count::AtomicZp));
+    const bool wrap =
+        axes.overflow == Overflow::Wrap ||
+        (axes.overflow == Overflow::Either && (m_profile.stencilWrap || axes.count == Count::AtomicZp));
     const StencilOp incr = wrap ? StencilOp::IncrWrap : StencilOp::Incr,
                     decr = wrap ? StencilOp::DecrWrap : StencilOp::Decr;
     const auto side = [&](StencilOp op) {
@@ -163,8 +164,8 @@ void PlanBuilder::countInStencil(int light) {
         Pass& p = volume(light, kAllVolumes, faces, group.parts, group.function, what);
         p.write = kWriteNothing;
         p.stencil = {.enabled = true, .front = side(front), .back = side(back)};
-        p.depthClamp = (axes.count == Count::PlusPlusZp && m_profile.depthClamp) ||
-                       axes.count == Count::AtomicZp;
+        p.depthClamp =
+            (axes.count == Count::PlusPlusZp && m_profile.depthClamp) || axes.count == Count::AtomicZp;
         if (axes.count == Count::AtomicZp) {
             p.drawn = Drawn::Silhouettes;
             p.label = "sides and far caps that a geometry shader makes: count +1 and -1";
@@ -205,8 +206,13 @@ void PlanBuilder::countParity(int light) {
         if (!folds) continue;
         Pass& fold = rectangle(fmt::format("keep the shadow of volume {}", i), {}, 1, kWriteNothing);
         const StencilSide replace{.onPass = StencilOp::Replace};
-        fold.stencil = {.enabled = true, .function = Compare::Equal, .reference = 3, .readMask = 1,
-                        .writeMask = 2, .front = replace, .back = replace};
+        fold.stencil = {.enabled = true,
+                        .function = Compare::Equal,
+                        .reference = 3,
+                        .readMask = 1,
+                        .writeMask = 2,
+                        .front = replace,
+                        .back = replace};
         clear({.label = "parity starts anew", .write = kWriteNothing, .stencil = true});
         m_plan.passes.back().stencil.writeMask = 1;
     }
@@ -250,8 +256,8 @@ void PlanBuilder::countByBlending(int light, ColourWrite write) {
     const Parts open = Part::Sides | Part::FarCap;
     const Parts parts = axes.count == Count::ZpassCap ? open | Part::NearCap : open;
     if (axes.arithmetic == Arithmetic::Parity && axes.count == Count::Zfail) {
-        for (const auto& [group, function] : {std::pair(open, Compare::Greater),
-                                              std::pair(Parts(Part::LightCap), Compare::Gequal)}) {
+        for (const auto& [group, function] :
+             {std::pair(open, Compare::Greater), std::pair(Parts(Part::LightCap), Compare::Gequal)}) {
             if (volumes == 0) break;
             Pass& p = volume(light, kAllVolumes, Faces::Both, group, function, "invert behind the surface");
             p.blend = blending(OneMinusDstColor, Zero);
@@ -385,7 +391,8 @@ void PlanBuilder::addFrameSoFar() {
 void PlanBuilder::drawDepthMap(int light) {
     const int faces = m_frame.lights[std::size_t(light)].directional ? 1 : 6;
     for (int face = 0; face < faces; ++face) {
-        const std::string label = faces == 1 ? "depth map" : fmt::format("depth map, face {} of the cube", face);
+        const std::string label =
+            faces == 1 ? "depth map" : fmt::format("depth map, face {} of the cube", face);
         const auto into = [&](PassKind kind, const std::string& what) -> Pass& {
             Pass& pass = add(kind, label + what);
             pass.target = Target::DepthMap;

@@ -31,13 +31,13 @@ struct Axes {
     Shade shade = Shade::Attenuated;
 
     // Options of some points.
-    Start start = Start::Zero;              ///< Count in a stencil: 0, its middle, or the volumes that hold the eye
-    Overflow overflow = Overflow::Either;   ///< Count in a stencil
+    Start start = Start::Zero;  ///< Count in a stencil: 0, its middle, or the volumes that hold the eye
+    Overflow overflow = Overflow::Either;  ///< Count in a stencil
     CapFaces capFaces = CapFaces::Lit;
     Clip clip = Clip::Frustum;
-    float offset = 0;     ///< Zfail: volumes start this far behind their caster, world units
-    int mapSize = 0;      ///< DepthMap: texels per side; 0 for other stores
-    float mapBias = 0;    ///< DepthMap: of the map's depths, 0..1
+    float offset = 0;   ///< Zfail: volumes start this far behind their caster, world units
+    int mapSize = 0;    ///< DepthMap: texels per side; 0 for other stores
+    float mapBias = 0;  ///< DepthMap: of the map's depths, 0..1
     bool operator==(const Axes&) const = default;
 };
 constexpr int kDefaultMapSize = 1024;
@@ -50,6 +50,16 @@ struct NamedMethod {
     std::string source{};   ///< paper and section
     std::string summary{};  ///< one line
 };
+
+/// A value of an axis that comes from a paper.
+struct AxisValue {
+    std::string axis{}, value{};
+    std::string source{};   ///< paper and section
+    std::string summary{};  ///< one line
+};
+
+/// The counting rules and the silhouettes, in the order of their axes.
+const std::vector<AxisValue>& axisValues();
 
 /// All named methods, in the order in which tables show them.
 const std::vector<NamedMethod>& namedMethods();
@@ -67,8 +77,8 @@ std::optional<std::string> contradiction(const Axes& axes);
 
 /// What a plan must know of one light.
 struct LightShape {
-    int volumes = 0;      ///< to draw
-    int holdingEye = 0;   ///< that hold the eye, with their weights
+    int volumes = 0;     ///< to draw
+    int holdingEye = 0;  ///< that hold the eye, with their weights
     bool directional = false;
 };
 

@@ -109,7 +109,8 @@ const std::vector<NamedMethod>& namedMethods() {
         row("screen-zfail", {.store = Screen, .arithmetic = Double, .count = gnomon::Count::Zfail},
             "gnomon: Roettger et al. 2002 with the depth test turned round",
             "the colour buffer counts the faces behind the surface"),
-        row("hornus", stencil(gnomon::Count::ZpPlus), "Hornus et al. 2005, ZP+; Usta et al. 2019, section 2.3",
+        row("hornus", stencil(gnomon::Count::ZpPlus),
+            "Hornus et al. 2005, ZP+; Usta et al. 2019, section 2.3",
             "casters drawn from the light onto the near plane start the count of each pixel"),
         row("eisemann", stencil(gnomon::Count::PlusPlusZp),
             "Eisemann et al. 2011, ++ZP; Usta et al. 2019, section 2.4",
@@ -122,6 +123,40 @@ const std::vector<NamedMethod>& namedMethods() {
             "the scene's depth from the light, compared at each pixel"),
     };
     return methods;
+}
+
+const std::vector<AxisValue>& axisValues() {
+    const auto count = [](Count value, std::string source, std::string summary) {
+        return AxisValue{"count", name(value), std::move(source), std::move(summary)};
+    };
+    const auto silhouette = [](Silhouette value, std::string source, std::string summary) {
+        return AxisValue{"silhouette", name(value), std::move(source), std::move(summary)};
+    };
+    static const std::vector<AxisValue> values{
+        count(Count::Zpass, "Heidmann 1991; Usta et al. 2019, section 2.1",
+              "faces before the surface, from 0: wrong where a volume holds the eye"),
+        count(Count::ZpassCap, "Roettger et al. 2002, section 3.2",
+              "the same, volumes closed by a cap at the near plane"),
+        count(Count::Zfail, "Carmack 2000; Usta et al. 2019, section 2.2",
+              "faces behind the surface, volumes closed by caps at the caster and at infinity"),
+        count(Count::ZpPlus, "Hornus et al. 2005; Usta et al. 2019, section 2.3",
+              "from what a view from the light onto the near plane counts"),
+        count(Count::PlusPlusZp, "Eisemann et al. 2011; Usta et al. 2019, section 2.4",
+              "from what one pixel counts between light and eye"),
+        count(Count::AtomicZp, "Usta et al. 2019, section 3",
+              "from what an atomic counter counts there while volumes are drawn"),
+        silhouette(Silhouette::Triangular, "Kolivand and Sunar 2011, section 2.1",
+                   "edges that an odd number of lit triangles has"),
+        silhouette(Silhouette::Visible, "Kolivand and Sunar 2011, section 2.2",
+                   "edges that exactly one lit triangle has"),
+        silhouette(Silhouette::Manifold, "Crow 1977; Bergeron 1986; Aldridge and Woods, section 2",
+                   "edges between a lit and an unlit triangle; refuses all but closed two-manifolds"),
+        silhouette(Silhouette::Winding, "Aldridge and Woods, section 2.4",
+                   "a signed counter per edge: any mesh, any subset of its triangles"),
+        silhouette(Silhouette::PerTriangle, "Aldridge and Woods, section 2.6 (brute force)",
+                   "each lit triangle has a volume of its own"),
+    };
+    return values;
 }
 
 const NamedMethod* findMethod(const std::string& id) {

@@ -43,8 +43,8 @@ class OneLight {
         b.sceneFirst(lighting());
         b.countInStencil(0);
         const bool attenuated = b.axes.shade == Shade::Attenuated;
-        const std::string where =
-            b.shadowTest().reference ? "where the count is not that of the start" : "where the count is not 0";
+        const std::string where = b.shadowTest().reference ? "where the count is not that of the start"
+                                                           : "where the count is not 0";
         Pass& apply = b.rectangle((attenuated ? "attenuate " : "black ") + where,
                                   attenuated ? blending(Zero, SrcColor) : Blend{}, attenuated ? kHalf : 0,
                                   kWriteColour);
@@ -125,7 +125,9 @@ class ManyLights {
         b.clear({.label = "background", .background = true, .depth = true, .stencil = true});
         b.sceneFirst(base());
         for (int light = 0; light < m_lights; ++light) {
-            if (light > 0) b.clear({.label = "count starts anew", .write = kWriteNothing, .stencil = true, .light = light});
+            if (light > 0)
+                b.clear(
+                    {.label = "count starts anew", .write = kWriteNothing, .stencil = true, .light = light});
             b.countInStencil(light);
             const auto add = [&](const std::string& label, Shading shading) -> Pass& {
                 return b.sceneAgain(label, light, shading, blending(One, One));
@@ -136,8 +138,8 @@ class ManyLights {
                 add("scene: add half of light " + std::to_string(light), Shading::HalfDiffuse);
                 add("scene: add the rest where it is lit", Shading::RestDiffuse).stencil = lit;
             } else {
-                add("scene: add light " + std::to_string(light) + " where it is lit", Shading::Diffuse).stencil =
-                    lit;
+                add("scene: add light " + std::to_string(light) + " where it is lit", Shading::Diffuse)
+                    .stencil = lit;
             }
         }
     }
@@ -199,7 +201,9 @@ class ManyLights {
             b.countByBlending(light, mask);
             b.normalise(light, mask);
             b.copyMask();
-            b.clear({.label = light == 0 ? "background" : "black", .background = light == 0, .value = 0,
+            b.clear({.label = light == 0 ? "background" : "black",
+                     .background = light == 0,
+                     .value = 0,
                      .depth = true});
             b.sceneFirst(Shading::Diffuse, light);
             b.applyTexture(light);

@@ -165,6 +165,12 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format) 
     return listing(rows, format);
 }
 
+std::string listAxisValues(Format format) {
+    std::vector<std::vector<std::string>> rows{{"axis", "value", "source", "summary"}};
+    for (const AxisValue& v : axisValues()) rows.push_back({v.axis, v.value, v.source, v.summary});
+    return listing(rows, format);
+}
+
 std::string listScenes(const std::vector<Scene>& scenes, Format format) {
     std::vector<std::vector<std::string>> rows{
         {"scene", "objects", "triangles", "lights", "frames", "title"}};

@@ -19,6 +19,9 @@ std::string showProfile(const Profile& profile, Format format);
 
 std::string listMethods(const std::vector<NamedMethod>& methods, Format format);
 
+/// The counting rules and silhouettes with their papers.
+std::string listAxisValues(Format format);
+
 /// All scenes with their sizes, lights and frames.
 std::string listScenes(const std::vector<Scene>& scenes, Format format);
 
