@@ -382,8 +382,8 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     // Textures
     gl.TexImage2D = [=](GLenum target, GLint level, GLint format, GLsizei width, GLsizei height, GLint border,
                         GLenum pixels, GLenum type, const void* data) {
-        judge->texture("glTexImage2D", width, height);
         if (pixels == GL_DEPTH_COMPONENT) judge->depthTexture("glTexImage2D", "GL_DEPTH_COMPONENT");
+        judge->texture("glTexImage2D", width, height);
         state->alphaTexture = isAlphaOnly(GLenum(format));
         driver->TexImage2D(target, level, format, width, height, border, pixels, type, data);
     };

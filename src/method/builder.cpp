@@ -164,8 +164,10 @@ void PlanBuilder::countInStencil(int light) {
         Pass& p = volume(light, kAllVolumes, faces, group.parts, group.function, what);
         p.write = kWriteNothing;
         p.stencil = {.enabled = true, .front = side(front), .back = side(back)};
+        // Sides that the host left whole reach before the near plane; flattened ones lie in it.
         p.depthClamp =
-            (axes.count == Count::PlusPlusZp && m_profile.depthClamp) || axes.count == Count::AtomicZp;
+            (axes.count == Count::PlusPlusZp && (m_profile.depthClamp || axes.clip != Clip::Frustum)) ||
+            axes.count == Count::AtomicZp;
         if (axes.count == Count::AtomicZp) {
             p.drawn = Drawn::Silhouettes;
             p.label = "sides and far caps that a geometry shader makes: count +1 and -1";

@@ -13,7 +13,8 @@ FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, co
     FrameVolumes volumes;
     WindowClip<glm::vec4> window(view);
     const PolygonSink sink = [&](Part part, std::span<const glm::vec4> polygon, bool reversed) {
-        const bool uncut = style.clip != Clip::Frustum && part != Part::NearCap;
+        const bool isSurface = part == Part::NearCap || part == Part::LightCap;
+        const bool uncut = style.clip != Clip::Frustum && !isSurface;
         appendFan(uncut ? polygon : window.cut(polygon), reversed,
                   volumes.parts[std::size_t(part)].vertices);
     };

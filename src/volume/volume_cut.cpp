@@ -41,7 +41,7 @@ void cutVolume(const Scene& scene, const LitCaster& caster, const glm::vec4& lig
     if (parts.has(Part::LightCap)) {
         for (const glm::uvec3& t : caster.lit) {
             const Canonical c = canonical(t);
-            add(Part::LightCap, visible(lightCap(c.triangle)), c.reversed);
+            add(Part::LightCap, space.beyond(lightCap(c.triangle)), c.reversed);
         }
     }
     if (parts.has(Part::NearFaces)) {

@@ -69,7 +69,9 @@ using PolygonSink = std::function<void(Part part, std::span<const glm::vec4> pol
 /// edges at infinity have w = 0. Faces that coincide but for their winding (sides of two volumes that share
 /// an edge, a cap and its surface) are the same polygon, once reversed.
 ///
-/// Clip Eye and None don't split sides: Sides then are all of them, and NearFaces only the light cap.
+/// Clip Eye and None don't split sides: Sides then are all of them, and NearFaces only the light cap. Light
+/// caps are cut as the frame's surfaces are with any clip: they are the same polygons, and must keep their
+/// depth to the bit.
 void cutVolume(const Scene& scene, const LitCaster& caster, const glm::vec4& light, const View& view,
                Parts parts, const CutStyle& style, const PolygonSink& sink);
 

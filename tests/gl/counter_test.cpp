@@ -133,13 +133,13 @@ PassCounts countedOf(const Axes& axes) {
     static const Profile ideal = chip("ideal");
     static Surface surface(bufferFormatOf(ideal), 21, 13);
     static const Frame frame = frameOf(twoBoxes(), 21, 13);
-    const Plan plan = planFrame(axes, {int(frame.volumes.size()), 21, 13}, ideal);
-    return render(surface, ideal, plan, frame.surfaces, frame.volumes).counts.passes;
+    const Plan plan = planFrame(axes, shapeOf(int(frame.volumes().size()), 21, 13), ideal);
+    return render(surface, ideal, plan, frame.surfaces, frame.lights()).counts.passes;
 }
 
 TEST(CountedPasses, AreThoseOfThePlanForEveryMethod) {
     for (const Axes& axes : allMethods())
-        EXPECT_EQ(countedOf(axes), countPasses(planFrame(axes, {2, 21, 13}, chip("ideal"))))
+        EXPECT_EQ(countedOf(axes), countPasses(planFrame(axes, shapeOf(2, 21, 13), chip("ideal"))))
             << describe(axes);
 }
 

@@ -46,14 +46,10 @@ class Studio {
     Studio(const std::string& chipId, const Scene& scene, int width, int height)
         : m_profile(chip(chipId)),
           m_surface(bufferFormatOf(m_profile), width, height),
-          m_capped(frameOf(scene, width, height, true)),
-          m_open(frameOf(scene, width, height, false)) {}
+          m_frame(frameOf(scene, width, height)) {}
 
     Rendered draw(const Axes& axes) {
-        const Frame& frame = axes.count == Count::ZpassCap ? m_capped : m_open;
-        const int volumes = axes.store == Store::None ? 0 : int(frame.volumes.size());
-        const Plan plan = planFrame(axes, {volumes, m_surface.width(), m_surface.height()}, m_profile);
-        return render(m_surface, m_profile, plan, frame.surfaces, frame.volumes);
+        return render(m_surface, m_profile, planOf(axes), m_frame.surfaces, m_frame.lights());
     }
 
     Rendered draw(const std::string& method, Shade shade = Shade::Attenuated) {
@@ -64,14 +60,19 @@ class Studio {
 
     /// The same with no volume at all: everything is lit.
     Rendered drawLit(const Axes& axes) {
-        const Plan plan = planFrame(axes, {0, m_surface.width(), m_surface.height()}, m_profile);
-        return render(m_surface, m_profile, plan, m_open.surfaces, {});
+        const Plan plan = planFrame(axes, shapeOf(0, m_surface.width(), m_surface.height()), m_profile);
+        return render(m_surface, m_profile, plan, m_frame.surfaces, m_frame.lights());
+    }
+
+    Plan planOf(const Axes& axes) const {
+        const int volumes = int(m_frame.volumes().size());
+        return planFrame(axes, shapeOf(volumes, m_surface.width(), m_surface.height()), m_profile);
     }
 
   private:
     Profile m_profile;
     Surface m_surface;
-    Frame m_capped, m_open;
+    Frame m_frame;
 };
 
 Pass clearTo(float value) {
@@ -144,8 +145,8 @@ TEST(Mask, CallsAValueBelowItsThresholdAShadow) {
     Surface surface(bufferFormatOf(ideal), 4, 4);
     const auto shadow = [&](float value, double threshold) {
         Plan plan{.passes = {clearTo(value)}, .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
-        plan.maskPlace = MaskPlace::Colour, plan.maskReady = 1, plan.threshold = threshold;
-        return render(surface, ideal, plan, {}, {}).maskShadow;
+        plan.masks = {{.after = 1, .place = MaskPlace::Colour}}, plan.threshold = threshold;
+        return render(surface, ideal, plan, {}, {}).masks.front();
     };
     EXPECT_THAT(shadow(127 / 255.0f, 0.5), Each(true));
     EXPECT_THAT(shadow(128 / 255.0f, 0.5), Each(false));
@@ -155,9 +156,9 @@ TEST(Mask, CallsAValueBelowItsThresholdAShadow) {
 
 TEST(Mask, CallsAnythingButZeroInTheStencilAShadow) {
     Studio studio("ideal", twoBoxes(), 64, 48);
-    const auto lit = studio.drawLit(findMethod("heidmann")->axes).maskShadow;
+    const auto lit = studio.drawLit(findMethod("heidmann")->axes).masks.front();
     EXPECT_THAT(lit, Each(false));
-    const auto mask = studio.draw("heidmann").maskShadow;
+    const auto mask = studio.draw("heidmann").masks.front();
     EXPECT_GT(std::count(mask.begin(), mask.end(), true), 50);
 }
 
@@ -169,12 +170,12 @@ INSTANTIATE_TEST_SUITE_P(Shades, EachShade, testing::Values(Shade::Black, Shade:
 TEST_P(EachShade, LooksAlikeWhicheverBufferHoldsTheMask) {
     Studio studio("ideal", loadScene(std::string(GNOMON_SOURCE) + "/scenes/boxes.toml"), 160, 120);
     const Rendered stencil = studio.draw("heidmann", GetParam());
-    ASSERT_GT(std::count(stencil.maskShadow.begin(), stencil.maskShadow.end(), true), 500);
+    ASSERT_GT(std::count(stencil.masks.front().begin(), stencil.masks.front().end(), true), 500);
     for (const char* method : {"roettger-alpha", "roettger-alpha-max", "roettger-screen",
                                "roettger-screen-max", "screen-texture"}) {
         SCOPED_TRACE(method);
         const Rendered other = studio.draw(method, GetParam());
-        EXPECT_EQ(pixelsThatDiffer(stencil.maskShadow, other.maskShadow), 0);
+        EXPECT_EQ(pixelsThatDiffer(stencil.masks.front(), other.masks.front()), 0);
         EXPECT_LE(largestDifference(stencil.image, other.image), 2);
     }
 }
@@ -207,7 +208,7 @@ TEST(FarCap, KeepsTheBackgroundLit) {
             for (int x = 0; x < 64; ++x) {
                 const bool isSky = pixelAt(unshadowed, x, y) == Pixel{128, 153, 178};
                 sky += isSky;
-                shadowed += isSky && drawn.maskShadow[std::size_t(y) * 64 + x];
+                shadowed += isSky && drawn.masks.front()[std::size_t(y) * 64 + x];
             }
         EXPECT_GT(sky, 1000) << ::testing::PrintToString(pixelAt(unshadowed, 0, 0));
         EXPECT_EQ(shadowed, 0) << method;
@@ -236,19 +237,19 @@ TEST_P(EachStore, SeesTheShadowFromWithinTheVolumeOnlyWithANearCap) {
     Studio studio("ideal", underASlab(), 40, 30);
     Axes axes = findMethod(GetParam())->axes;
     axes.count = Count::ZpassCap;
-    EXPECT_THAT(studio.draw(axes).maskShadow, Each(true));
+    EXPECT_THAT(studio.draw(axes).masks.front(), Each(true));
     axes.count = Count::Zpass;
-    EXPECT_THAT(studio.draw(axes).maskShadow, Each(false));
+    EXPECT_THAT(studio.draw(axes).masks.front(), Each(false));
 }
 
 TEST(Steps, AreReportedOncePerPassInOrder) {
     const Profile ideal = chip("ideal");
     Surface surface(bufferFormatOf(ideal), 32, 24);
     const Frame frame = frameOf(twoBoxes(), 32, 24);
-    const Plan plan = planFrame(findMethod("roettger-screen")->axes, {2, 32, 24}, ideal);
+    const Plan plan = planFrame(findMethod("roettger-screen")->axes, shapeOf(2, 32, 24), ideal);
     std::vector<std::size_t> seen, foreseen(plan.passes.size());
     for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = i;
-    render(surface, ideal, plan, frame.surfaces, frame.volumes,
+    render(surface, ideal, plan, frame.surfaces, frame.lights(),
            [&](std::size_t pass) { seen.push_back(pass); });
     EXPECT_EQ(seen, foreseen);
 }
@@ -257,7 +258,7 @@ TEST(Errors, OfOpenGLNameThePass) {
     const Profile ideal = chip("ideal");
     Surface surface(bufferFormatOf(ideal), 4, 4);
     Pass bad = rectangle({}, 1);
-    bad.label = "into a viewport of negative width", bad.lowResolution = true;
+    bad.label = "into a viewport of negative width", bad.target = Target::Mask;
     const Plan plan{.passes = {clearTo(0), bad}, .width = 4, .height = 4, .maskWidth = -1, .maskHeight = 4};
     try {
         render(surface, ideal, plan, {}, {});
@@ -304,7 +305,7 @@ TEST(MaskTexture, DoesNotBleedAtTheWindowsEdge) {
         for (const int divisor : {1, 2, 4}) {
             const Rendered drawn = studio.drawLit(scaled(divisor, Store::Screen));
             EXPECT_LE(largestDifference(drawn.image, unshadowed), 2) << id << " 1/" << divisor;
-            EXPECT_THAT(drawn.maskShadow, Each(false)) << id << " 1/" << divisor;
+            EXPECT_THAT(drawn.masks.front(), Each(false)) << id << " 1/" << divisor;
         }
     }
 }
@@ -315,7 +316,7 @@ TEST(MaskTexture, KeepsShadowsUpToTheWindowsEdge) {
         for (const Store store : {Store::Screen, Store::Alpha}) {
             Studio studio(id, underASlab(), 81, 63);
             for (const int divisor : {1, 2, 4})
-                EXPECT_THAT(studio.draw(scaled(divisor, store)).maskShadow, Each(true))
+                EXPECT_THAT(studio.draw(scaled(divisor, store)).masks.front(), Each(true))
                     << id << " " << name(store) << " 1/" << divisor;
         }
 }
@@ -335,10 +336,10 @@ Scene slabFromAbove() {
 TEST(LowResolutionMask, AgreesWithTheFullOneAwayFromShadowEdges) {
     constexpr int kWidth = 321, kHeight = 241;
     Studio studio("ideal", slabFromAbove(), kWidth, kHeight);
-    const auto full = studio.draw("heidmann").maskShadow;
+    const auto full = studio.draw("heidmann").masks.front();
     ASSERT_GT(std::count(full.begin(), full.end(), true), 1000);
     for (const int divisor : {1, 2, 4}) {
-        const auto low = studio.draw(scaled(divisor, Store::Screen)).maskShadow;
+        const auto low = studio.draw(scaled(divisor, Store::Screen)).masks.front();
         const int reach = divisor == 1 ? 0 : 2 * divisor;
         int uniform = 0, wrong = 0;
         for (int y = reach; y < kHeight - reach; ++y)

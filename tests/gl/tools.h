@@ -9,6 +9,7 @@
 #include "method/method.h"
 #include "profile/profile.h"
 #include "scene/primitives.h"
+#include "volume/blockers.h"
 
 namespace gnomon {
 
@@ -50,15 +51,27 @@ struct Frame {
     }
 };
 
-inline Frame frameOf(const Scene& scene, int width, int height, Parts parts = Part::Sides | Part::FarCap | Part::NearCap,
-                     std::size_t frame = 0) {
-    const View view = viewOf(scene.frames.at(frame), width, height);
-    const Light& light = scene.lights.front();
+constexpr Parts kAllParts =
+    Part::Sides | Part::NearFaces | Part::FarCap | Part::LightCap | Parts(Part::NearCap);
+
+/// With all that any plan draws: a plan takes the parts that it needs.
+inline Frame frameOf(const Scene& scene, int width, int height, std::size_t lightIndex = 0) {
+    const View view = viewOf(scene.frames.front(), width, height);
+    const Light& light = scene.lights.at(lightIndex);
     const auto lit = litCasters(scene, light.position, Silhouette::Winding);
     Frame out{.surfaces = frameSurfaces(scene, view)};
     out.light.colours = std::make_shared<LightColours>(lightColours(scene, light, view, out.surfaces));
-    out.light.volumes = std::make_shared<FrameVolumes>(frameVolumes(scene, lit, light.position, view, parts));
+    out.light.volumes =
+        std::make_shared<FrameVolumes>(frameVolumes(scene, lit, light.position, view, kAllParts));
+    out.light.blockers = eyeBlockers(scene, lit, light.position, view.eye);
+    out.light.silhouettes = silhouetteMesh(scene, light.position, view);
+    out.light.depthMap = depthMapFrame(scene, light, out.surfaces);
     return out;
+}
+
+/// The shape of a frame with one light.
+inline FrameShape shapeOf(int volumes, int width, int height) {
+    return {.width = width, .height = height, .lights = {{.volumes = volumes}}};
 }
 
 /// All methods that don't contradict themselves: the full product of the axes that shape a plan, at
@@ -69,9 +82,11 @@ inline std::vector<Axes> allMethods(int levels = 2) {
     std::vector<Axes> all;
     for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
         all.push_back({.store = None, .levels = 0, .shade = shade});
-        for (const Store store : {Stencil, Alpha, Screen})
-            for (const Arithmetic arithmetic : {Arithmetic::Count, Double, Halve})
-                for (const gnomon::Count count : {Count::Zpass, Count::ZpassCap})
+        all.push_back({.store = DepthMap, .levels = 0, .shade = shade, .mapSize = 64, .mapBias = 0.02f});
+        for (const Store store : {Stencil, Alpha, Screen, Counter})
+            for (const Arithmetic arithmetic : {Arithmetic::Count, Double, Halve, Parity})
+                for (const gnomon::Count count : {Count::Zpass, Count::ZpassCap, Count::Zfail, Count::ZpPlus,
+                                                  Count::PlusPlusZp, Count::AtomicZp})
                     for (const int divisor : {1, 2, 4})
                         for (const Apply apply : {Apply::Blend, Apply::Texture}) {
                             const Axes axes{.store = store,

@@ -18,10 +18,15 @@ Profile chip(const std::string& id) {
     return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / (id + ".toml"));
 }
 
-constexpr FrameShape kFrame{.volumes = 3, .width = 321, .height = 241};
+FrameShape shapeOf(int volumes, int width, int height) {
+    return {.width = width, .height = height, .lights = {{.volumes = volumes}}};
+}
+
+constexpr int kVolumes = 3;
+const FrameShape kFrame = shapeOf(kVolumes, 321, 241);
 
 Plan planOf(const std::string& method, Shade shade = Shade::Attenuated, const std::string& chipId = "ideal",
-            FrameShape frame = kFrame) {
+            const FrameShape& frame = kFrame) {
     Axes axes = findMethod(method)->axes;
     axes.shade = shade;
     return planFrame(axes, frame, chip(chipId));
@@ -49,7 +54,7 @@ class Table1 : public testing::TestWithParam<Published> {};
 TEST_P(Table1, IsTheLengthOfThePlan) {
     const auto& [method, shade, scene, rectangles] = GetParam();
     EXPECT_EQ(countPasses(planOf(method, shade)),
-              (PassCounts{.scene = scene, .volume = 2 * kFrame.volumes, .rectangle = rectangles}));
+              (PassCounts{.scene = scene, .volume = 2 * kVolumes, .rectangle = rectangles}));
 }
 
 INSTANTIATE_TEST_SUITE_P(Roettger2002, Table1,
@@ -146,8 +151,9 @@ TEST(PlanFrame, SaturatesWhereTheStencilDoesNotWrap) {
 
 TEST(PlanFrame, DrawsNoVolumePassWithoutVolumes) {
     for (const NamedMethod& method : namedMethods()) {
-        const Plan plan = planFrame(method.axes, {.volumes = 0, .width = 64, .height = 64}, chip("ideal"));
-        EXPECT_EQ(countPasses(plan).volume, 0) << method.id;
+        const Plan plan = planFrame(method.axes, shapeOf(0, 64, 64), chip("ideal"));
+        // ++ZP looks for the eye's own count all the same.
+        EXPECT_EQ(countPasses(plan).volume, method.id == "eisemann" ? 1 : 0) << method.id;
     }
 }
 
@@ -180,8 +186,7 @@ TEST(PlanFrame, TakesTexturesOfPowersOfTwoUnlessOthersAreAllowed) {
     EXPECT_EQ(ideal.textureHeight, 121);
     for (const char* id : {"voodoo1", "ps2", "tnt", "geforce2mx"})
         for (int side = 1; side < 1100; side += 73) {
-            const Plan plan =
-                planOf("screen-texture", Shade::Black, id, {.volumes = 1, .width = side, .height = 2 * side});
+            const Plan plan = planOf("screen-texture", Shade::Black, id, shapeOf(1, side, 2 * side));
             EXPECT_TRUE(std::has_single_bit(unsigned(plan.textureWidth)) && plan.textureWidth >= side &&
                         plan.textureWidth < 2 * side)
                 << id << " " << side;
@@ -206,9 +211,9 @@ TEST(PlanFrame, AppliesATextureByAlphaOnlyWhereColoursDontMultiply) {
     EXPECT_EQ(applied("ps2").blend.destination, BlendFactor::SrcAlpha);
 }
 
-// All that was counted, and nothing yet of the picture: the pass before maskReady writes the mask.
+// All that was counted, and nothing yet of the picture: the pass before the tap writes the mask.
 TEST(PlanFrame, SaysWhereAndWhenTheMaskIsReady) {
-    const auto place = [](const char* id) { return planOf(id).maskPlace; };
+    const auto place = [](const char* id) { return planOf(id).maskPlace(); };
     EXPECT_EQ(place("none"), MaskPlace::None);
     EXPECT_EQ(place("heidmann"), MaskPlace::Stencil);
     EXPECT_EQ(place("roettger-alpha"), MaskPlace::Alpha);
@@ -216,9 +221,9 @@ TEST(PlanFrame, SaysWhereAndWhenTheMaskIsReady) {
     EXPECT_EQ(place("roettger-half"), MaskPlace::Texture);
 
     const Plan stencil = planOf("heidmann"), screen = planOf("roettger-screen");
-    EXPECT_EQ(stencil.passes[stencil.maskReady - 1].kind, PassKind::Volume);
-    EXPECT_EQ(screen.passes[screen.maskReady - 1].kind, PassKind::Rectangle);
-    EXPECT_EQ(screen.passes[screen.maskReady].kind, PassKind::Scene);
+    EXPECT_EQ(stencil.passes[stencil.masks.front().after - 1].kind, PassKind::Volume);
+    EXPECT_EQ(screen.passes[screen.masks.front().after - 1].kind, PassKind::Rectangle);
+    EXPECT_EQ(screen.passes[screen.masks.front().after].kind, PassKind::Scene);
 }
 
 // Half way between 1/2 and 1 where shadows are attenuated, else between 0 and 1.
@@ -234,7 +239,7 @@ TEST(PlanFrame, MakesTheMaskAloneAtItsOwnResolution) {
     for (const Pass& pass : plan.passes) {
         copied |= pass.kind == PassKind::Copy;
         const bool draws = pass.kind != PassKind::Clear && pass.kind != PassKind::Copy;
-        EXPECT_EQ(pass.lowResolution, draws && !copied) << pass.label;
+        EXPECT_EQ(pass.target == Target::Mask, draws && !copied) << pass.label;
     }
     EXPECT_TRUE(copied);
 }
@@ -244,7 +249,8 @@ std::vector<std::string> runnable(const std::string& chipId) {
     const Profile profile = chip(chipId);
     std::vector<std::string> ids;
     for (const Axes& axes : pathCandidates())
-        if (missing(profile, planFrame(axes, {2, 256, 256}, profile)).empty()) ids.push_back(methodId(axes));
+        if (missing(profile, planFrame(axes, shapeOf(2, 256, 256), profile)).empty())
+            ids.push_back(methodId(axes));
     return ids;
 }
 

@@ -328,13 +328,13 @@ TEST(Missing, WantsBitsForTheMasksArithmeticWhereItStands) {
     Profile p = able();
     p.colourFormats = {{"565", 5, 6, 5, 0}};
     Plan plan = planOf({});
-    plan.maskPlace = MaskPlace::Colour, plan.smallestMaskBits = 5;
+    plan.masks = {{.place = MaskPlace::Colour}}, plan.smallestMaskBits = 5;
     EXPECT_THAT(lacks(p, plan), IsEmpty());
     plan.smallestMaskBits = 6;
     EXPECT_THAT(lacks(p, plan), ElementsAre("colour_formats"));
-    plan.maskPlace = MaskPlace::Alpha;
+    plan.masks = {{.place = MaskPlace::Alpha}};
     EXPECT_THAT(lacks(p, plan), IsEmpty());
-    plan.maskPlace = MaskPlace::Texture;
+    plan.masks = {{.place = MaskPlace::Texture}};
     plan.passes = {copyOf(MaskTexture::Alpha)};
     EXPECT_THAT(lacks(p, plan), IsEmpty());
     plan.passes = {copyOf(MaskTexture::Rgb)};
