@@ -12,6 +12,8 @@
 /// - Finder: SilhouetteFinder, the caps and winding sides of a scene as values in fresh memory
 /// - Smoke: fast and plain way on a small mesh, which must agree
 ///
+/// --table prints medians, spreads and ratios to the plain loops.
+///
 /// bar_ms is what the step may take. Our earlier measurements for comparison, on another run (design.md, not
 /// measured here): a million triangles take OGRE 1.12 835 ms for adjacency, 6.5 ms for z-pass and 12.5 ms for
 /// z-fail with caps.
@@ -22,6 +24,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/table_reporter.h"
 #include "bench/torus.h"
 #include "volume/caster_mesh.h"
 #include "volume/silhouette_finder.h"
@@ -357,6 +360,11 @@ void smoke(benchmark::State& state) {
     }
 }
 
+/// All names but those of slower kernels.
+std::string tableFilter() {
+    return "(grid|shuffled)/[0-9]+(/" + std::string(kernels().front().name) + ")?$";
+}
+
 }  // namespace
 }  // namespace gnomon
 
@@ -377,7 +385,19 @@ int main(int argc, char** argv) {
             registerScalar(tail, n, order);
         }
     }
-    benchmark::Initialize(&argc, argv);
-    if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-    benchmark::RunSpecifiedBenchmarks();
+    // --table: what the README shows, all steps with the fastest kernels, in an order that is shuffled so
+    // that what is compared shares the machine's moods.
+    std::vector<char*> arguments(argv, argv + argc);
+    const auto isTable = [](const char* a) { return std::string(a) == "--table"; };
+    const bool table = std::erase_if(arguments, isTable) > 0;
+    std::string defaults[]{"--benchmark_repetitions=9", "--benchmark_enable_random_interleaving=true",
+                           "--benchmark_filter=/" + tableFilter()};
+    if (table)
+        for (std::string& word : defaults) arguments.insert(arguments.begin() + 1, word.data());
+    int count = int(arguments.size());
+    arguments.push_back(nullptr);
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+    TableReporter reporter;
+    table ? benchmark::RunSpecifiedBenchmarks(&reporter) : benchmark::RunSpecifiedBenchmarks();
 }
