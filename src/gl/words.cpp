@@ -83,6 +83,14 @@ std::string enumName(GLenum value) {
             return "GL_TEXTURE_2D";
         case GL_POLYGON_OFFSET_FILL:
             return "GL_POLYGON_OFFSET_FILL";
+        case GL_DEPTH_CLAMP:
+            return "GL_DEPTH_CLAMP";
+        case GL_DEPTH_COMPONENT16:
+            return "GL_DEPTH_COMPONENT16";
+        case GL_DEPTH_COMPONENT24:
+            return "GL_DEPTH_COMPONENT24";
+        case GL_DEPTH_COMPONENT32:
+            return "GL_DEPTH_COMPONENT32";
         case GL_FRONT:
             return "GL_FRONT";
         case GL_BACK:

@@ -298,15 +298,42 @@ class Probes {
 
     void programs() {
         const Lacks lacks = unless(p.shaders, "shaders");
+        const Lacks geometry = both(lacks, unless(p.geometryShaders, "geometry_shaders"));
         for (const auto& [type, text] :
              {std::pair(GL_VERTEX_SHADER, "GL_VERTEX_SHADER"),
               std::pair(GL_FRAGMENT_SHADER, "GL_FRAGMENT_SHADER"),
               std::pair(GL_GEOMETRY_SHADER, "GL_GEOMETRY_SHADER"),
               std::pair(GL_TESS_CONTROL_SHADER, "0x8e88"), std::pair(GL_TESS_EVALUATION_SHADER, "0x8e87"),
               std::pair(GL_COMPUTE_SHADER, "0x91b9")})
-            add("glCreateShader", text, lacks, [kind = type](auto& gl) { gl.CreateShader(GLenum(kind)); });
+            add("glCreateShader", text, type == GL_GEOMETRY_SHADER ? geometry : lacks,
+                [kind = type](auto& gl) { gl.CreateShader(GLenum(kind)); });
         add("glCreateProgram", "", lacks, [](auto& gl) { gl.CreateProgram(); });
         add("glUseProgram", "7", lacks, [](auto& gl) { gl.UseProgram(7); });
+        for (const auto& [argument, text, has, key] :
+             {std::tuple("GL_EXT_shader_framebuffer_fetch",
+                         "#extension GL_EXT_shader_framebuffer_fetch : require\n", p.framebufferFetch,
+                         "framebuffer_fetch"),
+              std::tuple("atomic_uint", "layout(binding = 0) uniform atomic_uint n;", p.atomicCounters,
+                         "atomic_counters")})
+            add("glShaderSource", argument, unless(has, key), [source = text](auto& gl) {
+                const std::array<const char*, 2> parts{"#version 420\n", source};
+                gl.ShaderSource(1, 2, parts.data(), nullptr);
+            });
+        add("glBindBufferBase", "GL_ATOMIC_COUNTER_BUFFER", unless(p.atomicCounters, "atomic_counters"),
+            [](auto& gl) { gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, 1); });
+        const Lacks map = unless(p.depthTextures, "depth_textures");
+        add("glTexImage2D", "GL_DEPTH_COMPONENT", map, [](auto& gl) {
+            gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 64, 64, 0, GL_DEPTH_COMPONENT, GL_FLOAT,
+                          nullptr);
+        });
+        add(
+            "glCopyTexImage2D", map.empty() ? "" : "GL_DEPTH_COMPONENT24", map,
+            [](auto& gl) { gl.CopyTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 0, 0, 64, 64, 0); },
+            "depth");
+        add("glBindFramebuffer", "3", map, [](auto& gl) { gl.BindFramebuffer(GL_FRAMEBUFFER, 3); });
+        add("glBindFramebuffer", "0", {}, [](auto& gl) { gl.BindFramebuffer(GL_FRAMEBUFFER, 0); });
+        add("glEnable", "GL_DEPTH_CLAMP", unless(p.depthClamp, "depth_clamp"),
+            [](auto& gl) { gl.Enable(GL_DEPTH_CLAMP); });
     }
 
     static void draw(const GlTable& gl) { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
@@ -535,6 +562,17 @@ INSTANTIATE_TEST_SUITE_P(
                 "blend_equations"},
         Refusal{"tnt", "ConstantFactor", [](auto& gl) { gl.BlendFunc(GL_CONSTANT_ALPHA, GL_ZERO); },
                 "glBlendFunc", "GL_CONSTANT_ALPHA, GL_ZERO", "source_factors"},
+        Refusal{"geforce2mx", "DepthClamp", [](auto& gl) { gl.Enable(GL_DEPTH_CLAMP); }, "glEnable",
+                "GL_DEPTH_CLAMP", "depth_clamp"},
+        Refusal{"geforce2mx", "DepthTexture",
+                [](auto& gl) {
+                    gl.TexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT24, 64, 64, 0, GL_DEPTH_COMPONENT,
+                                  GL_FLOAT, nullptr);
+                },
+                "glTexImage2D", "GL_DEPTH_COMPONENT", "depth_textures"},
+        Refusal{"geforce2mx", "AtomicCounter",
+                [](auto& gl) { gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, 1); }, "glBindBufferBase",
+                "GL_ATOMIC_COUNTER_BUFFER", "atomic_counters"},
         Refusal{"geforce2mx", "SeventhClipPlane", [](auto& gl) { gl.Enable(GL_CLIP_PLANE0 + 6); }, "glEnable",
                 "GL_CLIP_PLANE6", "clip_planes"},
         Refusal{"geforce2mx", "OddTexture",
@@ -546,6 +584,43 @@ INSTANTIATE_TEST_SUITE_P(
                 [](auto& gl) { gl.BlendFuncSeparate(GL_ONE, GL_ZERO, GL_ONE, GL_ONE); },
                 "glBlendFuncSeparate", "GL_ONE, GL_ZERO, GL_ONE, GL_ONE", "separate_alpha_factors"}),
     [](const auto& test) { return test.param.chip + test.param.name; });
+
+// A chip with programs may still lack each of the things that they can ask for.
+TEST(ProgrammableChip, IsRefusedWhatItsProgramsLack) {
+    Profile p = chip("ideal");
+    p.geometryShaders = p.framebufferFetch = p.atomicCounters = false;
+    const FakeDriver driver;
+    const GlTable gl = restrictTo(p, bufferFormatOf(p), driver.table());
+    EXPECT_NO_THROW(gl.CreateShader(GL_FRAGMENT_SHADER));
+    const auto refused = [&](const std::function<void()>& calls) {
+        const auto violation = violationOf(calls);
+        return violation ? violation->capability : "";
+    };
+    const auto source = [&](const char* text) {
+        return [&gl, text] { gl.ShaderSource(1, 1, &text, nullptr); };
+    };
+    EXPECT_EQ(refused([&] { gl.CreateShader(GL_GEOMETRY_SHADER); }), "geometry_shaders");
+    EXPECT_EQ(refused(source("#extension GL_EXT_shader_framebuffer_fetch : enable")), "framebuffer_fetch");
+    EXPECT_EQ(refused(source("uniform atomic_uint n;")), "atomic_counters");
+    EXPECT_EQ(refused(source("void main() {}")), "");
+    // Only the given length of a text counts.
+    const char* text = "void main() {} // atomic_uint";
+    const GLint length = 14;
+    EXPECT_EQ(refused([&] { gl.ShaderSource(1, 1, &text, &length); }), "");
+}
+
+TEST(Ps2, RefusesConstantPairsToDrawsWithAProgram) {
+    Profile ps2 = chip("ps2");
+    ps2.shaders = true;
+    const FakeDriver driver;
+    const GlTable gl = restrictTo(ps2, bufferFormatOf(ps2), driver.table());
+    gl.ColorMask(1, 1, 1, 0);
+    EXPECT_NO_THROW(blendedDraw(gl, GL_DST_COLOR, GL_ZERO));
+    gl.UseProgram(1);
+    EXPECT_THROW(gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, nullptr), CapabilityViolation);
+    gl.UseProgram(0);
+    EXPECT_NO_THROW(gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_INT, nullptr));
+}
 
 // A Voodoo that chose destination alpha instead of depth has it, with the factors 0 and 1 only.
 TEST(VoodooWithAlphaInsteadOfDepth, AddsAlphaButCannotDoubleIt) {

@@ -59,7 +59,11 @@ class FakeDriver {
         record(gl.ActiveTexture, "glActiveTexture");
         record(gl.CreateShader, "glCreateShader");
         record(gl.CreateProgram, "glCreateProgram");
+        record(gl.ShaderSource, "glShaderSource");
         record(gl.UseProgram, "glUseProgram");
+        record(gl.BindBufferBase, "glBindBufferBase");
+        record(gl.BindFramebuffer, "glBindFramebuffer");
+        record(gl.DrawElements, "glDrawElements");
         record(gl.Finish, "glFinish");
         record(gl.GetError, "glGetError");
         return gl;

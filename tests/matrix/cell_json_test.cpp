@@ -129,6 +129,20 @@ TEST(CellJson, ComesBackForEveryNamedMethodAndShade) {
     }
 }
 
+TEST(CellJson, ComesBackWithEachOptionAndWithoutThoseThatAreAsUsual) {
+    Cell cell = fullCell();
+    for (const char* key : {"start", "overflow", "caps", "clip", "offset", "map_size", "map_bias"})
+        EXPECT_FALSE(toJson(cell).contains(key)) << key;
+    cell.lights = 3;
+    cell.axes.start = Start::Middle, cell.axes.overflow = Overflow::Saturate;
+    cell.axes.capFaces = CapFaces::Away, cell.axes.clip = Clip::Eye, cell.axes.offset = 0.125f;
+    const Cell back = cellFromJson(Json::parse(toJson(cell).dump()));
+    EXPECT_EQ(back.axes, cell.axes);
+    EXPECT_EQ(back.lights, 3);
+    cell.axes = {.store = Store::DepthMap, .levels = 0, .mapSize = 512, .mapBias = 0.004f};
+    EXPECT_EQ(cellFromJson(Json::parse(toJson(cell).dump())).axes, cell.axes);
+}
+
 TEST(CellJson, RefusesWhatIsNoCell) {
     EXPECT_THROW(cellFromJson(Json::object()), nlohmann::json::exception);
     EXPECT_THROW(cellFromJson(Json::array()), nlohmann::json::exception);

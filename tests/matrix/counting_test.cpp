@@ -133,9 +133,9 @@ Scene eyeInside(Dice& dice, bool directional) {
     return scene;
 }
 
-/// The boxes, with an eye that stays and a light on a ring of 8 about it.
-Scene lightOnRing(int step, bool directional) {
-    Scene scene = shippedScene("boxes");
+/// A scene with an eye that stays and a light on a ring of 8 about it.
+Scene lightOnRing(int step, bool directional, const std::string& id = "boxes") {
+    Scene scene = shippedScene(id);
     const glm::vec3 eye(0.43f, 2.61f, 4.87f);
     const float angle = float(step) * 0.785398f + 0.137f;
     const glm::vec3 towards(3.1f * std::cos(angle), 3.1f * std::sin(angle),
@@ -210,6 +210,66 @@ TEST_P(RobustMethods, AgreeAndAreExactWithTheNearPlaneCuttingACaster) {
     for (int i = 0; i < 12; ++i) {
         SCOPED_TRACE(i);
         expectRobust(casterCut(dice, directional()));
+    }
+}
+
+// The knot's own volume is entered up to five times on a ray.
+TEST_P(RobustMethods, AgreeAndAreExactOnANonConvexCaster) {
+    for (const int step : {1, 6}) {
+        SCOPED_TRACE(step);
+        expectRobust(lightOnRing(step, directional(), "knot"));
+    }
+}
+
+/// One view of each hard kind.
+std::vector<Scene> hardViews(unsigned seed, bool directional) {
+    Dice dice(seed);
+    return {eyeInside(dice, directional), lightOnRing(int(seed % 8), directional),
+            casterCut(dice, directional)};
+}
+
+// Where volumes are cut is a matter of cost (Usta et al. 2019, section 4).
+TEST_P(RobustMethods, AreExactWhereverTheirVolumesAreCut) {
+    for (const unsigned seed : {2u, 7u})
+        for (const Scene& scene : hardViews(seed, directional())) {
+            Lab lab(scene);
+            for (const Clip clip : {Clip::Eye, Clip::None})
+                for (Axes axes : robustMethods()) {
+                    axes.clip = clip;
+                    EXPECT_EQ(resultOf(lab.run(ideal(), axes, kWidth, kHeight, 0)), "exact 0/0")
+                        << methodId(axes) << " " << seed;
+                }
+        }
+}
+
+// The host flattens what lies before the near plane there; whole sides it would have to leave out.
+TEST_P(RobustMethods, NeedNoDepthClampWhereTheHostCutsVolumesAtTheNearPlane) {
+    Profile without = ideal();
+    without.depthClamp = false;
+    for (const Scene& scene : hardViews(5, directional())) {
+        Lab lab(scene);
+        for (const Axes& axes : robustMethods()) {
+            const bool inShader = axes.count == Count::AtomicZp;
+            EXPECT_EQ(resultOf(lab.run(without, axes, kWidth, kHeight, 0)),
+                      inShader ? "refused 0/0, lacks depth clamp" : "exact 0/0")
+                << methodId(axes);
+        }
+        Axes whole = method("eisemann");
+        whole.clip = Clip::Eye;
+        EXPECT_EQ(resultOf(lab.run(without, whole, kWidth, kHeight, 0)), "refused 0/0, lacks depth clamp");
+    }
+}
+
+// From outside of casters nothing but their own unlit faces lies within the offset.
+TEST_P(RobustMethods, AreExactWithVolumesThatStartAHundredthBehindTheirCasters) {
+    Dice dice(17);
+    for (int i = 0; i < 4; ++i) {
+        Lab lab(i % 2 == 0 ? eyeInside(dice, directional()) : lightOnRing(i, directional()));
+        for (const char* id : {"carmack", "counter"}) {
+            Axes axes = method(id);
+            axes.offset = 0.01f;
+            EXPECT_EQ(resultOf(lab.run(ideal(), axes, kWidth, kHeight, 0)), "exact 0/0") << id << " " << i;
+        }
     }
 }
 

@@ -164,6 +164,47 @@ TEST(Judge, SaysOfEachPixelWhatBecameOfIt) {
     EXPECT_EQ(judged.wrong(), 3);
 }
 
+TEST(Judge, TellsTiesOfTruthFromThoseOfTheCount) {
+    const Judgement judged = judgeOf(truthOf({"t.c#"}), maskOf({"...#"}), 1);
+    EXPECT_THAT(judged.tiedByTruth, ElementsAre(true, false, false, false));
+}
+
+TEST(Combined, IsTheOnlyLightsOwn) {
+    const Judgement one = judgeOf(truthOf({"..t.##a"}), maskOf({"#..##.#"}), 1);
+    const Judgement all = combined({one});
+    EXPECT_EQ(all.pixels, one.pixels);
+    EXPECT_EQ(wrongOf(all), wrongOf(one));
+    EXPECT_EQ(all.tiedTruth, one.tiedTruth);
+}
+
+TEST(Combined, IsAsWrongInAPixelAsTheWorstLight) {
+    // By pixel: right and right, right and tied, right and edge, tied and interior.
+    Judgement a, b;
+    a.pixels = {Right, Tied, WrongEdge, WrongInterior}, a.tiedByTruth = {false, true, false, false};
+    b.pixels = {Right, Right, Right, Tied}, b.tiedByTruth = {false, false, false, true};
+    a.tiedTruth = 1, a.edge = 1, a.interior = 1;
+    b.tiedTruth = 1;
+    const Judgement all = combined({a, b});
+    EXPECT_THAT(all.pixels, ElementsAre(Right, Tied, WrongEdge, WrongInterior));
+    EXPECT_EQ(wrongOf(all), (Wrong{1, 1}));
+    EXPECT_EQ(all.tiedTruth, 1) << "the other tie is wrong in the other light";
+    EXPECT_EQ(all.tiedCount, 0);
+}
+
+TEST(Combined, CountsAPixelOnceWhereBothLightsAreWrong) {
+    const Judgement a = judgeOf(truthOf({"#####"}), maskOf({"#.###"}), 1);
+    const Judgement all = combined({a, a});
+    EXPECT_EQ(wrongOf(all), (Wrong{0, 1}));
+}
+
+TEST(Combined, TiesByTruthWhereOneLightDoesAndByTheCountElsewhere) {
+    const Judgement a = judgeOf(truthOf({"tcc."}), maskOf({"...."}), 1);
+    const Judgement b = judgeOf(truthOf({"ct.."}), maskOf({"...."}), 1);
+    const Judgement all = combined({a, b});
+    EXPECT_EQ(all.tiedTruth, 2);
+    EXPECT_EQ(all.tiedCount, 1);
+}
+
 TEST(ShadowPicture, IsBlackWhereMaskOrSeenSideIsDark) {
     const Image picture = shadowPicture(truthOf({"-.#", "aA."}), maskOf({"..#", ".##"}));
     EXPECT_EQ(picture, (Image{3, 2, 1, {255, 255, 0, 0, 0, 0}}));

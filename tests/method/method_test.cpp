@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <map>
 #include <set>
 
 namespace gnomon {
@@ -123,6 +125,173 @@ TEST(MethodId, TellsApartAllMethodsThatDifferInMoreThanShade) {
     // 3 scales).
     EXPECT_EQ(methods, 4 + 2 * 5 * 4 * 4);
     EXPECT_EQ(ids.size(), std::size_t(methods));
+}
+
+/// Each combination of the axes and options that is no contradiction, but for shades.
+std::vector<Axes> wholeProduct() {
+    std::vector<Axes> all{{.store = Store::None, .levels = 0}};
+    for (const int size : {256, kDefaultMapSize})
+        for (const float bias : {0.0f, kDefaultMapBias})
+            all.push_back({.store = Store::DepthMap, .levels = 0, .mapSize = size, .mapBias = bias});
+    for (const Store store : {Store::Stencil, Store::Alpha, Store::Screen, Store::Counter})
+        for (int bits = 0; bits < 2 * 2 * 3 * 2; ++bits)  // apply, caps, clip, offset
+            for (int arithmetic = 0; arithmetic < kArithmetics; ++arithmetic)
+                for (int count = 0; count < kCounts; ++count)
+                    for (int silhouette = 0; silhouette < kSilhouettes; ++silhouette)
+                        for (const int divisor : {1, 2, 4})
+                            for (int start = 0; start < kStarts; ++start)
+                                for (int overflow = 0; overflow < kOverflows; ++overflow)
+                                    for (const int levels : {1, 2, 8}) {
+                                        const bool doubles = Arithmetic(arithmetic) == Arithmetic::Double;
+                                        if (!doubles && levels != 1) continue;
+                                        const Axes axes{.store = store,
+                                                        .arithmetic = Arithmetic(arithmetic),
+                                                        .levels = doubles ? levels : 0,
+                                                        .count = Count(count),
+                                                        .silhouette = Silhouette(silhouette),
+                                                        .maskDivisor = divisor,
+                                                        .apply = Apply(bits % 2),
+                                                        .start = Start(start),
+                                                        .overflow = Overflow(overflow),
+                                                        .capFaces = CapFaces(bits / 2 % 2),
+                                                        .clip = Clip(bits / 4 % 3),
+                                                        .offset = bits / 12 ? 0.5f : 0.0f};
+                                        if (!contradiction(axes)) all.push_back(axes);
+                                    }
+    return all;
+}
+
+TEST(MethodId, TellsApartAllMethodsWithAllTheirOptions) {
+    std::map<std::string, Axes> methods;
+    for (const Axes& axes : wholeProduct()) {
+        const auto [at, isNew] = methods.emplace(methodId(axes), axes);
+        EXPECT_TRUE(isNew || normalised(axes) == normalised(at->second)) << at->first;
+    }
+    EXPECT_GT(methods.size(), 1000u);
+}
+
+TEST(MethodId, NamesOptionsThatAreNotAsUsual) {
+    Axes axes = axesOf("carmack");
+    axes.start = Start::Middle, axes.overflow = Overflow::Wrap, axes.capFaces = CapFaces::Away;
+    axes.clip = Clip::Eye, axes.offset = 0.25f;
+    EXPECT_EQ(methodId(axes),
+              "stencil-count-zfail-winding-1-blend-start-middle-wrap-caps-away-clip-eye-offset-0.25");
+    EXPECT_EQ(methodId({.store = Store::DepthMap, .mapSize = 512, .mapBias = 0.5f}), "depth-map-512-0.5");
+}
+
+TEST(MethodId, IsWilliamsWithTheDefaultMap) {
+    EXPECT_EQ(methodId({.store = Store::DepthMap}), "williams");
+    EXPECT_EQ(methodId({.store = Store::DepthMap,
+                        .count = Count::Zfail,
+                        .mapSize = kDefaultMapSize,
+                        .mapBias = kDefaultMapBias}),
+              "williams");
+}
+
+TEST(Contradiction, IsCountingBeyondZpassAndZfailInAColour) {
+    for (const Store store : {Store::Alpha, Store::Screen})
+        for (const Count count : {Count::ZpPlus, Count::PlusPlusZp, Count::AtomicZp})
+            EXPECT_THAT(objection({.store = store, .arithmetic = Arithmetic::Double, .count = count}),
+                        HasSubstr("needs a count"));
+}
+
+TEST(Contradiction, IsACounterThatDoesAnythingButCount) {
+    EXPECT_EQ(objection({.store = Store::Counter, .count = Count::ZpPlus}), "");
+    EXPECT_THAT(objection({.store = Store::Counter, .arithmetic = Arithmetic::Parity}),
+                HasSubstr("only counts"));
+    EXPECT_THAT(objection({.store = Store::Counter, .apply = Apply::Texture}), HasSubstr("blend"));
+    EXPECT_THAT(objection({.store = Store::Counter, .maskDivisor = 2}), HasSubstr("scale 1"));
+    for (const Count count : {Count::PlusPlusZp, Count::AtomicZp})
+        EXPECT_THAT(objection({.store = Store::Counter, .count = count}), HasSubstr("of a stencil"));
+}
+
+TEST(Contradiction, IsParityThatStartsOrOverflows) {
+    Axes axes = axesOf("parity");
+    EXPECT_EQ(objection(axes), "");
+    for (const Count count : {Count::ZpPlus, Count::PlusPlusZp, Count::AtomicZp}) {
+        axes.count = count;
+        EXPECT_THAT(objection(axes), HasSubstr("parity has none"));
+    }
+    axes.count = Count::Zfail, axes.start = Start::Middle;
+    EXPECT_THAT(objection(axes), HasSubstr("one bit"));
+    axes.start = Start::Zero, axes.overflow = Overflow::Wrap;
+    EXPECT_THAT(objection(axes), HasSubstr("one bit"));
+}
+
+TEST(Contradiction, IsAStartOrOverflowOutsideOfAStencil) {
+    Axes axes = axesOf("roettger-screen");
+    axes.start = Start::Middle;
+    EXPECT_THAT(objection(axes), HasSubstr("a stencil's"));
+    axes = axesOf("counter"), axes.overflow = Overflow::Wrap;
+    EXPECT_THAT(objection(axes), HasSubstr("a stencil's"));
+}
+
+TEST(Contradiction, IsABiasForTheEyeWhereTheCountNeedsNone) {
+    Axes axes = axesOf("heidmann");
+    axes.start = Start::Bias;
+    EXPECT_EQ(objection(axes), "");
+    for (const Count count :
+         {Count::ZpassCap, Count::Zfail, Count::ZpPlus, Count::PlusPlusZp, Count::AtomicZp}) {
+        axes.count = count;
+        EXPECT_THAT(objection(axes), HasSubstr("is for zpass"));
+    }
+}
+
+TEST(Contradiction, IsAtomiczpWithAnotherSilhouetteCapOrASaturatingCount) {
+    for (const auto& change :
+         std::vector<std::function<void(Axes&)>>{[](Axes& a) { a.silhouette = Silhouette::Manifold; },
+                                                 [](Axes& a) { a.capFaces = CapFaces::Away; },
+                                                 [](Axes& a) { a.overflow = Overflow::Saturate; }}) {
+        Axes axes = axesOf("atomiczp");
+        EXPECT_EQ(objection(axes), "");
+        change(axes);
+        EXPECT_THAT(objection(axes), HasSubstr("atomiczp finds its own"));
+    }
+}
+
+TEST(Contradiction, IsAnOffsetWithoutALightCapAndAwayCapsOfSingleTriangles) {
+    Axes axes = axesOf("carmack");
+    axes.offset = 0.1f;
+    EXPECT_EQ(objection(axes), "");
+    axes.count = Count::Zpass;
+    EXPECT_THAT(objection(axes), HasSubstr("offset"));
+    axes = axesOf("carmack"), axes.capFaces = CapFaces::Away;
+    EXPECT_EQ(objection(axes), "");
+    axes.silhouette = Silhouette::PerTriangle;
+    EXPECT_THAT(objection(axes), HasSubstr("whole casters"));
+}
+
+TEST(Contradiction, IsAnotherClipWithASmallMask) {
+    for (const Clip clip : {Clip::Eye, Clip::None}) {
+        Axes axes = axesOf("roettger-half");
+        axes.clip = clip;
+        EXPECT_THAT(objection(axes), HasSubstr("window's size"));
+        axes = axesOf("screen-texture"), axes.clip = clip;
+        EXPECT_EQ(objection(axes), "");
+    }
+}
+
+TEST(Normalised, LeavesNothingButWhatMeansSomethingToTheStore) {
+    EXPECT_EQ(normalised({.store = Store::Stencil, .levels = 5}).levels, 0);
+    EXPECT_EQ(normalised({.store = Store::Stencil, .mapSize = 64}).mapSize, 0);
+    const Axes map = normalised({.store = Store::DepthMap, .maskDivisor = 4, .shade = Shade::Black});
+    EXPECT_EQ(map, (Axes{.store = Store::DepthMap,
+                         .levels = 0,
+                         .shade = Shade::Black,
+                         .mapSize = kDefaultMapSize,
+                         .mapBias = kDefaultMapBias}));
+    EXPECT_EQ(normalised({.store = Store::DepthMap, .mapSize = 64}).mapBias, 0)
+        << "an explicit map without a bias";
+}
+
+TEST(PartsOf, CloseVolumesWhereTheCountLooks) {
+    const Parts open = Part::Sides | Part::FarCap;
+    EXPECT_EQ(partsOf(Count::Zpass), open);
+    EXPECT_EQ(partsOf(Count::ZpassCap), open | Part::NearCap);
+    EXPECT_EQ(partsOf(Count::Zfail), open | Part::LightCap);
+    EXPECT_EQ(partsOf(Count::ZpPlus), open | Part::NearCap);
+    EXPECT_EQ(partsOf(Count::PlusPlusZp), open | Part::NearFaces);
+    EXPECT_TRUE(partsOf(Count::AtomicZp).empty());
 }
 
 TEST(Contradiction, IsAStencilThatDoublesOrHalves) {

@@ -341,6 +341,90 @@ TEST(Missing, WantsBitsForTheMasksArithmeticWhereItStands) {
     EXPECT_THAT(lacks(p, plan), ElementsAre("colour_formats"));
 }
 
+/// A chip with programs, which able() is not.
+Profile programmable() {
+    Profile p = able();
+    p.shaders = p.geometryShaders = p.atomicCounters = p.framebufferFetch = true;
+    p.depthClamp = p.depthTextures = true;
+    return p;
+}
+
+TEST(Missing, WantsProgramsAndAFrameBufferThatTheyRead) {
+    for (const Program program : {Program::CountFaces, Program::ShadeCount}) {
+        const Plan plan = planOf({.kind = PassKind::Volume, .program = program});
+        Profile p = programmable();
+        EXPECT_THAT(lacks(p, plan), IsEmpty());
+        p.framebufferFetch = false;
+        EXPECT_THAT(missing(p, plan),
+                    ElementsAre(Field(&Missing::what, "a fragment program that reads the frame buffer")));
+        p.shaders = false;
+        EXPECT_THAT(lacks(p, plan), ElementsAre("shaders", "framebuffer_fetch"));
+    }
+}
+
+TEST(Missing, WantsGeometryShadersAndAtomicCountersForSilhouettes) {
+    const Plan plan = planOf({.kind = PassKind::Volume, .drawn = Drawn::Silhouettes});
+    Profile p = programmable();
+    EXPECT_THAT(lacks(p, plan), IsEmpty());
+    p.geometryShaders = false;
+    EXPECT_THAT(lacks(p, plan), ElementsAre("geometry_shaders"));
+    p.geometryShaders = true, p.atomicCounters = false;
+    EXPECT_THAT(lacks(p, plan), ElementsAre("atomic_counters"));
+}
+
+TEST(Missing, WantsDepthClampWhereAPassClamps) {
+    Pass pass = counting(StencilOp::Incr, StencilOp::Incr);
+    pass.depthClamp = true;
+    Profile p = able();
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("depth_clamp"));
+    p.depthClamp = true;
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
+}
+
+TEST(Missing, WantsDepthTexturesAndAsLargeOnesAsTheMap) {
+    Plan plan = planOf(
+        {.kind = PassKind::Clear, .clearsDepth = true, .write = kWriteNothing, .target = Target::DepthMap});
+    plan.mapSize = 1024;
+    Profile p = programmable();
+    EXPECT_THAT(lacks(p, plan), IsEmpty());
+    plan.mapSize = 2048;
+    EXPECT_THAT(
+        missing(p, plan),
+        ElementsAre(Field(&Missing::what, "a texture of 2048x2048 for the depth map (1024 at most)")));
+    p.depthTextures = false;
+    EXPECT_THAT(lacks(p, plan), ElementsAre("depth_textures"));
+}
+
+TEST(Missing, WantsProgramsToCompareWithADepthMap) {
+    const Plan plan = planOf({.kind = PassKind::Scene, .shading = Shading::Mask});
+    EXPECT_THAT(lacks(able(), plan), ElementsAre("shaders"));
+    EXPECT_THAT(lacks(programmable(), plan), IsEmpty());
+}
+
+TEST(Missing, WantsATextureForTheFrameSoFarAsLargeAsTheFrameAndNotAsTheMask) {
+    Pass copy = copyOf(MaskTexture::Rgb);
+    copy.frameTexture = true;
+    Plan plan = planOf(copy);
+    plan.frameTextureWidth = 1024, plan.frameTextureHeight = 512;
+    plan.textureWidth = plan.textureHeight = 4096;
+    Profile p = able();
+    EXPECT_THAT(lacks(p, plan), IsEmpty());
+    p.maxTextureSize = 512;
+    EXPECT_THAT(
+        missing(p, plan),
+        ElementsAre(Field(&Missing::what, "a texture of 1024x512 for the frame so far (512 at most)")));
+    p.maxTextureSize = 1024, p.frameTexture = FrameTexture::None;
+    EXPECT_THAT(lacks(p, plan), ElementsAre("frame_texture"));
+}
+
+TEST(Missing, RefusesAConstantPairForAProgramsColour) {
+    Profile p = constantOnly();
+    p.shaders = p.framebufferFetch = true;
+    Pass pass = volumeWith(DstColor, Zero);
+    pass.program = Program::CountFaces;
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("blend_pairs"));
+}
+
 // A Voodoo with 2 MiB: 640x480 is the largest frame with depth.
 TEST(FrameBytes, CountTwoColourBuffersAndDepth) {
     Profile p;

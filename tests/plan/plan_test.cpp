@@ -44,6 +44,78 @@ TEST(DescribeState, TellsStencilForBothSidesOnceWhereTheyAgree) {
               "stencil ALWAYS 0, op front KEEP KEEP INCR back KEEP KEEP DECR_WRAP, write nothing");
 }
 
+TEST(DescribeState, TellsWhatFailsTheDepthTest) {
+    const StencilSide up{.onDepthFail = StencilOp::IncrWrap}, down{.onDepthFail = StencilOp::DecrWrap};
+    const Pass pass{.kind = PassKind::Volume,
+                    .depthTest = true,
+                    .depthFunction = Compare::Lequal,
+                    .write = kWriteNothing,
+                    .stencil = {.enabled = true, .front = down, .back = up}};
+    EXPECT_EQ(describeState(pass),
+              "depth LEQUAL, stencil ALWAYS 0, op front KEEP DECR_WRAP KEEP back KEEP INCR_WRAP KEEP, "
+              "write nothing");
+}
+
+TEST(DescribeState, TellsMasksOfTheStencilThatAreNotWhole) {
+    const StencilSide replace{.onPass = StencilOp::Replace};
+    const Pass pass{.kind = PassKind::Rectangle,
+                    .write = kWriteNothing,
+                    .stencil = {.enabled = true,
+                                .function = Compare::Equal,
+                                .reference = 3,
+                                .readMask = 1,
+                                .writeMask = 2,
+                                .front = replace,
+                                .back = replace}};
+    EXPECT_EQ(describeState(pass),
+              "stencil EQUAL 3 & 0x1, write mask 0x2, op KEEP KEEP REPLACE, write nothing");
+}
+
+TEST(DescribeState, TellsTheStencilThatAClearSets) {
+    EXPECT_EQ(describeState({.clearsStencil = true, .stencilValue = 128, .write = kWriteNothing}),
+              "stencil 128");
+    EXPECT_EQ(describeState({.clearsStencil = true, .stencilIsBlockers = true, .write = kWriteNothing}),
+              "stencil to the count of one pixel");
+    EXPECT_EQ(describeState({.clearsStencil = true, .write = kWriteNothing, .stencil = {.writeMask = 1}}),
+              "stencil 0 in mask 0x1");
+}
+
+TEST(DescribeState, NamesTargetsThatAreNotTheWindow) {
+    EXPECT_EQ(describeState({.kind = PassKind::Scene, .write = kWriteNothing, .target = Target::Mask}),
+              "mask's viewport, write nothing");
+    EXPECT_EQ(describeState({.kind = PassKind::Scene, .write = kWriteNothing, .target = Target::DepthMap}),
+              "depth map's viewport, write nothing");
+    EXPECT_EQ(describeState({.kind = PassKind::Volume, .write = kWriteNothing, .target = Target::OnePixel}),
+              "viewport 1x1, write nothing");
+}
+
+TEST(DescribeState, NamesProgramsAndWhatTheyAdd) {
+    Pass pass{.kind = PassKind::Volume, .program = Program::CountFaces, .frontCount = -1};
+    EXPECT_EQ(describeState(pass), "program: 16 bits of RG, front -1 back +1, write RGB");
+    pass = {.kind = PassKind::Scene, .program = Program::ShadeCount};
+    EXPECT_EQ(describeState(pass), "program: by the 16 bits of RG, write RGB");
+    pass = {.kind = PassKind::Scene, .shading = Shading::Mask};
+    EXPECT_EQ(describeState(pass), "depth map compared, write RGB");
+}
+
+TEST(DescribeState, SaysOfAtomiczpThatAShaderDrawsAndCounts) {
+    const Pass pass{.kind = PassKind::Volume,
+                    .drawn = Drawn::Silhouettes,
+                    .depthClamp = true,
+                    .write = kWriteNothing,
+                    .stencil = {.enabled = true, .minusBlockers = true}};
+    EXPECT_EQ(describeState(pass),
+              "depth clamp, stencil ALWAYS 0 minus the atomic count, op KEEP KEEP KEEP, geometry shader with "
+              "an atomic counter, write nothing");
+}
+
+TEST(DescribeState, TellsTheFrameSoFarFromTheMask) {
+    const Blend add{.enabled = true, .source = BlendFactor::One, .destination = BlendFactor::One};
+    const Pass pass{
+        .kind = PassKind::Rectangle, .blend = add, .texture = MaskTexture::Rgb, .frameTexture = true};
+    EXPECT_EQ(describeState(pass), "blend ONE ONE, frame texture, write RGB");
+}
+
 TEST(DescribeState, NamesAMaximumWithoutItsFactors) {
     const Pass pass{.kind = PassKind::Rectangle,
                     .colour = glm::vec4(0.5f),

@@ -1,0 +1,311 @@
+// Ways to count, drawn by the software OpenGL on scenes whose shadows are known without any tracer: a slab
+// over a floor, an eye under it, and stacks of volumes deeper than a stencil counts.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gl/capability.h"
+#include "gl/renderer.h"
+#include "tools.h"
+
+namespace gnomon {
+namespace {
+
+using testing::Each;
+
+const Profile& ideal() {
+    static const Profile profile = chip("ideal");
+    return profile;
+}
+
+/// One frame of a scene, drawn with any method.
+class Studio {
+  public:
+    Studio(const Scene& scene, int width, int height)
+        : m_surface(bufferFormatOf(ideal()), width, height), m_frame(frameOf(scene, width, height)) {}
+
+    Plan planOf(const Axes& axes, int holdingEye = 0) const {
+        FrameShape shape = shapeOf(int(m_frame.volumes().size()), m_surface.width(), m_surface.height());
+        shape.lights[0].holdingEye = holdingEye;
+        return planFrame(axes, shape, ideal());
+    }
+    Rendered draw(const Axes& axes, int holdingEye = 0) {
+        return render(m_surface, ideal(), planOf(axes, holdingEye), m_frame.surfaces, m_frame.lights());
+    }
+    std::vector<bool> mask(const Axes& axes, int holdingEye = 0) {
+        return draw(axes, holdingEye).masks.front();
+    }
+    const FrameVolumes& volumes() const { return m_frame.volumes(); }
+
+  private:
+    Surface m_surface;
+    Frame m_frame;
+};
+
+Axes axesOf(const std::string& id) {
+    return findMethod(id)->axes;
+}
+
+int shadows(const std::vector<bool>& mask) {
+    return int(std::count(mask.begin(), mask.end(), true));
+}
+
+/// The methods in every store, at scale 1, that count in one of these ways.
+std::vector<Axes> countsOf(const std::vector<Count>& counts) {
+    std::vector<Axes> all;
+    for (const Axes& axes : allMethods())
+        if (axes.shade == Shade::Black && axes.maskDivisor == 1 && axes.store != Store::None &&
+            axes.store != Store::DepthMap && std::count(counts.begin(), counts.end(), axes.count))
+            all.push_back(axes);
+    return all;
+}
+
+const std::vector<Count> kEveryCount{Count::Zpass,  Count::ZpassCap,   Count::Zfail,
+                                     Count::ZpPlus, Count::PlusPlusZp, Count::AtomicZp};
+const std::vector<Count> kCountsFromWithin{Count::ZpassCap, Count::Zfail, Count::ZpPlus, Count::PlusPlusZp,
+                                           Count::AtomicZp};
+
+/// A slab over a floor, lit straight from above at infinity: its shadow is the square below it, 2 by 2.
+Scene slabOverFloor() {
+    Scene scene;
+    scene.objects = {placed("floor", gnomon::rectangle({40, 40}), {0, 0, 0}, false),
+                     placed("slab", box({2, 0.25, 2}), {0, 2.5f, 0})};
+    scene.lights = {{.position = {0, 1, 0, 0}}};
+    scene.frames = {{.eye = {0, 5, 8}, .target = {0, 1, 0}, .fovDegrees = 50, .nearPlane = 0.5f}};
+    return scene;
+}
+
+/// Whether the ray through a pixel's centre meets the floor first, and where.
+struct OnFloor {
+    bool hit = false;
+    glm::dvec3 at{};
+};
+
+OnFloor floorAt(const Camera& camera, int x, int y, int width, int height) {
+    const glm::dvec3 eye(camera.eye), forward = glm::normalize(glm::dvec3(camera.target) - eye);
+    const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
+    const glm::dvec3 up = glm::cross(right, forward);
+    const double tangent = std::tan(camera.fovDegrees * 3.14159265358979 / 360);
+    const double u = ((x + 0.5) / width * 2 - 1) * tangent * width / height;
+    const double v = (1 - (y + 0.5) / height * 2) * tangent;
+    const glm::dvec3 ray = forward + u * right + v * up;
+    // The slab is in the way of all that passes through its heights above it.
+    for (const double h : {2.375, 2.625}) {
+        const glm::dvec3 p = eye + ray * ((h - eye.y) / ray.y);
+        if (ray.y < 0 && std::abs(p.x) < 1.6 && std::abs(p.z) < 1.6) return {};
+    }
+    const glm::dvec3 at = eye + ray * (-eye.y / ray.y);
+    return {ray.y < 0 && std::abs(at.x) < 19 && std::abs(at.z) < 19, at};
+}
+
+TEST(EveryCount, DrawsTheRectangleUnderASlab) {
+    constexpr int width = 120, height = 90;
+    const Scene scene = slabOverFloor();
+    Studio studio(scene, width, height);
+    for (const Axes& axes : countsOf(kEveryCount)) {
+        SCOPED_TRACE(describe(axes));
+        const auto mask = studio.mask(axes);
+        int lit = 0, dark = 0, wrong = 0;
+        for (int y = 0; y < height; ++y)
+            for (int x = 0; x < width; ++x) {
+                const OnFloor floor = floorAt(scene.frames[0], x, y, width, height);
+                const double reach = std::max(std::abs(floor.at.x), std::abs(floor.at.z));
+                // Within 0.01 of the edge a pixel's centre may round either way.
+                if (!floor.hit || std::abs(reach - 1) < 0.01) continue;
+                const bool shadow = reach < 1;
+                ++(shadow ? dark : lit);
+                wrong += mask[std::size_t(y) * width + std::size_t(x)] != shadow;
+            }
+        EXPECT_EQ(wrong, 0);
+        EXPECT_GT(dark, 100);
+        EXPECT_GT(lit, 2000);
+    }
+}
+
+// Overlapping volumes: one bit for all of them can't count, so parity in a colour is left out.
+TEST(EveryCount, GivesTheMaskOfZpassFromOutside) {
+    Studio studio(twoBoxes(), 96, 72);
+    const auto zpass = studio.mask(axesOf("heidmann"));
+    ASSERT_GT(shadows(zpass), 150);
+    int methods = 0;
+    for (const Axes& axes : countsOf(kEveryCount)) {
+        if (axes.arithmetic == Arithmetic::Parity && axes.store != Store::Stencil) continue;
+        EXPECT_EQ(studio.mask(axes), zpass) << describe(axes);
+        ++methods;
+    }
+    EXPECT_GT(methods, 30);
+}
+
+TEST(ParityInAColour, LosesShadowsWhereTwoVolumesOverlap) {
+    Studio studio(twoBoxes(), 96, 72);
+    Axes axes{.store = Store::Screen, .arithmetic = Arithmetic::Parity, .levels = 0};
+    const int lost = shadows(studio.mask(axesOf("parity"))) - shadows(studio.mask(axes));
+    EXPECT_GT(lost, 5);
+}
+
+/// An eye in the shadow of a wide slab, looking at floor in the same shadow.
+Scene underASlab() {
+    Scene scene;
+    scene.objects = {placed("floor", gnomon::rectangle({9, 9}), {0, 0, 0}, false),
+                     placed("slab", box({8, 0.2, 8}), {0, 4.1f, 0})};
+    scene.lights = {{.position = {0.3f, 9.7f, 0.2f, 1}}};
+    scene.frames = {{.eye = {0.1f, 1.3f, 1.7f}, .target = {0, 0, 0}, .nearPlane = 0.2f}};
+    return scene;
+}
+
+TEST(CountsFromWithin, SeeTheShadowAllAround) {
+    Studio studio(underASlab(), 40, 30);
+    for (const Axes& axes : countsOf(kCountsFromWithin))
+        EXPECT_THAT(studio.mask(axes), Each(true)) << describe(axes);
+    for (const Axes& axes : countsOf({Count::Zpass}))
+        EXPECT_THAT(studio.mask(axes), Each(false)) << describe(axes);
+}
+
+TEST(CountsFromWithin, SeeItWithAnyStartAndZpassWithABias) {
+    Studio studio(underASlab(), 40, 30);
+    Axes axes = axesOf("heidmann");
+    axes.start = Start::Bias;
+    EXPECT_THAT(studio.mask(axes, 1), Each(true));
+    EXPECT_THAT(studio.mask(axes, 0), Each(false));
+    for (const char* id : {"carmack", "hornus", "eisemann", "atomiczp"}) {
+        axes = axesOf(id), axes.start = Start::Middle;
+        EXPECT_THAT(studio.mask(axes), Each(true)) << id;
+    }
+}
+
+/// Parallel squares between light and floor, each a caster of its own, lowest first; sides in world units.
+Scene stack(const std::vector<double>& sides) {
+    Scene scene;
+    Mesh squares;
+    for (std::size_t i = 0; i < sides.size(); ++i) {
+        const Mesh one = gnomon::rectangle({sides[i], sides[i]});
+        const auto base = std::uint32_t(squares.positions.size());
+        for (const glm::vec3& p : one.positions)
+            squares.positions.push_back(p + glm::vec3(0, 1 + 0.01f * float(i), 0));
+        for (const glm::uvec3& t : one.triangles) squares.triangles.push_back(t + base);
+    }
+    scene.objects = {placed("floor", gnomon::rectangle({9, 9}), {0, 0, 0}, false),
+                     {.name = "squares", .mesh = squares}};
+    scene.lights = {{.position = {0.1f, 20, 0.2f, 1}}};
+    // Below the squares and beside their shadow, looking through it.
+    scene.frames = {{.eye = {0.3f, 0.6f, 4}, .target = {0, 0, -0.8f}, .fovDegrees = 20, .nearPlane = 0.1f}};
+    return scene;
+}
+
+constexpr int kWidth = 33, kHeight = 25;
+
+/// What the middle of the picture, at z = -0.8 on the floor, is with a method.
+bool isDarkInTheMiddle(const Scene& scene, const Axes& axes) {
+    Studio studio(scene, kWidth, kHeight);
+    return studio.mask(axes)[std::size_t(kHeight / 2) * kWidth + kWidth / 2];
+}
+
+/// @p count volumes hold the middle.
+Scene deep(int count) {
+    return stack(std::vector<double>(std::size_t(count), 3));
+}
+
+/// 40 volumes hold the middle, and the way there leads into and out of 260 more.
+Scene deepOnTheWay() {
+    std::vector<double> sides(260, 0.4);
+    sides.resize(300, 3);
+    return stack(sides);
+}
+
+Axes overflowing(const char* id, Overflow overflow) {
+    Axes axes = axesOf(id);
+    axes.overflow = overflow;
+    return axes;
+}
+
+// Usta et al. 2019, section 4: exactly 256 nested volumes look like none in 8 bits that wrap.
+TEST(DeepStacks, FoolAStencilThatWrapsAtExactly256) {
+    for (const char* id : {"heidmann", "carmack"}) {
+        const Axes wraps = overflowing(id, Overflow::Wrap);
+        EXPECT_TRUE(isDarkInTheMiddle(deep(255), wraps)) << id;
+        EXPECT_FALSE(isDarkInTheMiddle(deep(256), wraps)) << id;
+        EXPECT_TRUE(isDarkInTheMiddle(deep(257), wraps)) << id;
+    }
+    EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(), overflowing("heidmann", Overflow::Wrap)));
+}
+
+// Of 300 entries 255 are left, and 260 exits take them all.
+TEST(DeepStacks, FoolAStencilThatSaturatesWhereExitsOutnumberWhatItKept) {
+    const Axes saturates = overflowing("heidmann", Overflow::Saturate);
+    for (const int volumes : {255, 256, 300}) {
+        EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), saturates)) << volumes;
+    }
+    EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(), saturates));
+}
+
+TEST(DeepStacks, AreCountedRightIn16BitsFromBothEnds) {
+    for (const Count count : {Count::Zpass, Count::Zfail}) {
+        const Axes counter{.store = Store::Counter, .levels = 0, .count = count};
+        for (const int volumes : {1, 255, 256, 257, 300})
+            EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), counter)) << name(count) << volumes;
+        EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(), counter)) << name(count);
+        EXPECT_FALSE(isDarkInTheMiddle(stack(std::vector<double>(300, 0.4)), counter)) << name(count);
+    }
+}
+
+TEST(TwoLights, DrawWhatEachWouldAlone) {
+    Scene scene = twoBoxes();
+    scene.lights.push_back({.position = glm::vec4(glm::normalize(glm::vec3(-1.3f, 2.9f, 0.7f)), 0)});
+    constexpr int width = 80, height = 60;
+    const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
+    const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
+    Surface surface(bufferFormatOf(ideal()), width, height);
+    FrameShape shape{.width = width, .height = height};
+    for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
+    shape.lights[1].directional = true;
+    for (const Axes& axes : allMethods()) {
+        if (axes.maskDivisor == 4 || axes.store == Store::None) continue;
+        SCOPED_TRACE(describe(axes));
+        const Plan plan = planFrame(axes, shape, ideal());
+        const Rendered together = render(surface, ideal(), plan, frames[0].surfaces, both);
+        EXPECT_EQ(together.counts.passes, countPasses(plan));
+        ASSERT_EQ(together.masks.size(), 2u);
+        if (axes.shade != Shade::Attenuated) continue;
+        for (std::size_t i = 0; i < 2; ++i) {
+            const FrameShape one{.width = width, .height = height, .lights = {shape.lights[i]}};
+            const Rendered alone = render(surface, ideal(), planFrame(axes, one, ideal()), frames[i].surfaces,
+                                          frames[i].lights());
+            EXPECT_EQ(together.masks[i], alone.masks.front()) << "light " << i;
+        }
+    }
+}
+
+// 4 of 255: each light's part rounds once more than in one pass, and so does the mask that it takes.
+TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
+    Scene scene = twoBoxes();
+    for (Light& light : scene.lights) light.colour = glm::vec3(0.6f);
+    scene.lights.push_back({.position = {-2.3f, 5.9f, 2.7f, 1}, .colour = glm::vec3(0.5f)});
+    constexpr int width = 80, height = 60;
+    const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
+    const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
+    Surface surface(bufferFormatOf(ideal()), width, height);
+    FrameShape shape{.width = width, .height = height};
+    for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
+    for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
+        const auto imageOf = [&](const char* id) {
+            Axes axes = axesOf(id);
+            axes.shade = shade;
+            return render(surface, ideal(), planFrame(axes, shape, ideal()), frames[0].surfaces, both).image;
+        };
+        const Image stencil = imageOf("carmack");
+        for (const char* id : {"roettger-screen", "roettger-screen-max", "screen-texture", "counter",
+                               "parity", "atomiczp", "roettger-alpha"}) {
+            const Image other = imageOf(id);
+            int largest = 0;
+            for (std::size_t i = 0; i < other.data.size(); ++i)
+                largest = std::max(largest, std::abs(other.data[i] - stencil.data[i]));
+            EXPECT_LE(largest, 4) << id << " " << name(shade);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gnomon
