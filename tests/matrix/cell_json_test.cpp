@@ -47,10 +47,10 @@ std::vector<std::string> keysOf(const Json& object) {
 // Of the design's list, "unpredicted" comes with the predictor; "chosen" marks the path of a chip.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
-        "cell",   "profile",    "method",     "scene",   "store",  "arithmetic",    "levels",
-        "count",  "silhouette", "mask_scale", "apply",   "shade",  "width",         "height",
-        "frame",  "lights",     "fidelity",   "verdict", "chosen", "missing",       "causes",
-        "passes", "pixels",     "tied",       "wrong",   "cpu_ms", "unshadowed_ms", "digest"};
+        "cell",       "profile",    "method", "scene",         "store",  "arithmetic", "levels", "count",
+        "silhouette", "mask_scale", "apply",  "shade",         "width",  "height",     "frame",  "lights",
+        "fidelity",   "verdict",    "chosen", "missing",       "causes", "passes",     "pixels", "tied",
+        "wrong",      "vertices",   "cpu_ms", "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));

@@ -72,6 +72,19 @@ TEST(NamedMethods, StandForWhatTheyAreNamedAfter) {
     EXPECT_EQ(axesOf("screen-texture").apply, Apply::Texture);
 }
 
+TEST(AxisValues, AreAllCountsAndSilhouettesWithTheirPapers) {
+    std::vector<std::string> words;
+    for (const AxisValue& v : axisValues()) {
+        words.push_back(v.axis + " " + v.value);
+        EXPECT_THAT(v.source, testing::ContainsRegex("19|20|section")) << v.value;
+        EXPECT_THAT(v.summary, Not(IsEmpty())) << v.value;
+    }
+    std::vector<std::string> expected;
+    for (int i = 0; i < kCounts; ++i) expected.push_back("count " + name(gnomon::Count(i)));
+    for (int i = 0; i < kSilhouettes; ++i) expected.push_back("silhouette " + name(Silhouette(i)));
+    EXPECT_EQ(words, expected);
+}
+
 TEST(FindMethod, IsNothingForAnUnknownId) {
     EXPECT_EQ(findMethod("bergeron"), nullptr);
     EXPECT_EQ(findMethod(""), nullptr);
