@@ -170,9 +170,9 @@ void SceneOption::addTo(CLI::App& app, const std::string& help) {
     const std::string group = "Light and camera (y up; default: from the file, else around the mesh)";
     app.add_option("--light", light, "x,y,z of a point light, or x,y,z,0 towards one at infinity")
         ->group(group);
-    app.add_option("--lights", lights,
-                   fmt::format("how many of the scene's lights: a number or all (default: at most {})",
-                               kMostLights))
+    app.add_option(
+           "--lights", lights,
+           fmt::format("how many of the scene's lights: a number or all (default: at most {})", kMostLights))
         ->group(group);
     app.add_option("--eye", eye, "x,y,z")->group(group);
     app.add_option("--target", target, "x,y,z that the eye looks at")->group(group);
@@ -228,8 +228,7 @@ void MethodOption::addTo(CLI::App& app) {
          "where a stencil's count starts: zero (default), middle, bias (1 per volume that holds the eye)");
     axis("--overflow", overflows, "a stencil's: either (default: wrap where the chip can), wrap, saturate");
     axis("--caps", caps, "of volumes: the lit faces (default) or those turned away");
-    axis("--clip", clips,
-         "where the host cuts volumes: frustum (default), eye (the plane through it), none");
+    axis("--clip", clips, "where the host cuts volumes: frustum (default), eye (the plane through it), none");
     app.add_option("--offset", offsets, "start volumes this far behind their caster, world units (zfail)")
         ->delimiter(',')
         ->group(group);
@@ -237,9 +236,9 @@ void MethodOption::addTo(CLI::App& app) {
                    fmt::format("texels per side of a depth map (default: {})", kDefaultMapSize))
         ->delimiter(',')
         ->group(group);
-    app.add_option("--map-bias", mapBiases,
-                   fmt::format("of a depth map, a share of the distance to the light (default: {})",
-                               kDefaultMapBias))
+    app.add_option(
+           "--map-bias", mapBiases,
+           fmt::format("of a depth map, a share of the distance to the light (default: {})", kDefaultMapBias))
         ->delimiter(',')
         ->group(group);
 }
@@ -276,7 +275,8 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
         if (size < 1 || size > 8192)
             throw UsageError(fmt::format("--map-size: {} is not within 1 to 8192", size));
     for (const float bias : mapBiases)
-        if (!(bias >= 0 && bias < 1)) throw UsageError(fmt::format("--map-bias: {} is not within 0 to 1", bias));
+        if (!(bias >= 0 && bias < 1))
+            throw UsageError(fmt::format("--map-bias: {} is not within 0 to 1", bias));
     for (const float offset : offsets)
         if (!(offset >= 0 && offset < 1e15f))
             throw UsageError(fmt::format("--offset: {} is no distance", offset));

@@ -124,7 +124,8 @@ int run(const Options& options) {
 
     std::function<void(Surface&, std::size_t)> steps;
     const Plan plan = lab.plan(profile, *axes, size.width, size.height, options.frame);
-    if (!options.steps.empty() && lab.missingFor(profile, *axes, plan).empty()) steps = stepWriter(options.steps, plan);
+    if (!options.steps.empty() && lab.missingFor(profile, *axes, plan).empty())
+        steps = stepWriter(options.steps, plan);
     Pictures pictures;
     Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
     cell.chosen = options.methods.isEmpty();

@@ -30,6 +30,7 @@ struct DrawState {
     bool red = true, green = true, blue = true;
     bool alpha = false;  ///< asked for by the caller; the initial mask asks for nothing
     bool colourArray = false, texture = false, program = false;
+    bool toTexture = false;     ///< draws to a texture instead of the window
     bool alphaTexture = false;  ///< the texture specified last holds nothing but alpha
     glm::vec4 colour{1};
 };
@@ -178,8 +179,8 @@ class Judge {
 
     /// A program's text: what it asks for by name.
     void shaderSource(const std::string& text) const {
-        need(p.framebufferFetch || text.find("GL_EXT_shader_framebuffer_fetch") == text.npos, "glShaderSource",
-             "GL_EXT_shader_framebuffer_fetch", "framebuffer_fetch");
+        need(p.framebufferFetch || text.find("GL_EXT_shader_framebuffer_fetch") == text.npos,
+             "glShaderSource", "GL_EXT_shader_framebuffer_fetch", "framebuffer_fetch");
         need(p.atomicCounters || text.find("atomic_uint") == text.npos, "glShaderSource", "atomic_uint",
              "atomic_counters");
     }
@@ -204,8 +205,8 @@ class Judge {
         if (readsDestinationAlpha(s.source) || readsDestinationAlpha(s.destination)) alphaPlanes(call, pair);
         if (colour) {
             const auto source = *blendFactorOf(s.source), destination = *blendFactorOf(s.destination);
-            const bool constantGrey =
-                !s.colourArray && !s.texture && !s.program && s.colour.r == s.colour.g && s.colour.g == s.colour.b;
+            const bool constantGrey = !s.colourArray && !s.texture && !s.program &&
+                                      s.colour.r == s.colour.g && s.colour.g == s.colour.b;
             const bool byConstant = p.allowsBlendWithConstantSource(source, destination);
             need(p.allowsBlend(source, destination) || (byConstant && constantGrey), call,
                  pair + (byConstant ? " with a varying source colour" : ""), blendKey());
@@ -261,7 +262,8 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
         driver->ColorMask(r, g, b, a);
     };
     gl.Viewport = [=](GLint x, GLint y, GLsizei width, GLsizei height) {
-        judge->viewport(x, y, width, height);
+        // A texture that is drawn to has limits of its own.
+        if (!state->toTexture) judge->viewport(x, y, width, height);
         driver->Viewport(x, y, width, height);
     };
 
@@ -411,6 +413,7 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     // Frame buffers of textures: so far only depth maps are drawn to.
     gl.BindFramebuffer = [=](GLenum target, GLuint framebuffer) {
         if (framebuffer != 0) judge->depthTexture("glBindFramebuffer", fmt::format("{}", framebuffer));
+        state->toTexture = framebuffer != 0;
         driver->BindFramebuffer(target, framebuffer);
     };
 

@@ -106,8 +106,7 @@ const CubeFace kCubeFaces[6] = {
 };
 
 DepthMapFrame depthMapFrame(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
-    return light.position.w == 0 ? directionalMap(scene, light, surfaces)
-                                 : pointMap(scene, light, surfaces);
+    return light.position.w == 0 ? directionalMap(scene, light, surfaces) : pointMap(scene, light, surfaces);
 }
 
 }  // namespace gnomon

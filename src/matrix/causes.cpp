@@ -75,7 +75,8 @@ std::vector<bool> limitedMask(const CauseInputs& in, int range) {
     std::vector<int> steps(std::size_t(in.view.width) * in.view.height);
     for (std::size_t v = 0; v < in.volumes.size(); ++v) {
         const FaceCounts faces = counter.count(in.volumes, v, behind);
-        const auto &entries = behind ? faces.backs : faces.fronts, &exits = behind ? faces.fronts : faces.backs;
+        const auto &entries = behind ? faces.backs : faces.fronts,
+                   &exits = behind ? faces.fronts : faces.backs;
         for (std::size_t i = 0; i < steps.size(); ++i)
             steps[i] = std::min(steps[i] + entries[i], range) - exits[i];
     }

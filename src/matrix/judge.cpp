@@ -52,9 +52,8 @@ Judgement combined(const std::vector<Judgement>& lights) {
         out.edge += out.pixels[i] == PixelVerdict::WrongEdge;
         out.interior += out.pixels[i] == PixelVerdict::WrongInterior;
         if (out.pixels[i] != PixelVerdict::Tied) continue;
-        const bool byTruth = std::any_of(lights.begin(), lights.end(), [&](const Judgement& light) {
-            return light.tiedByTruth[i];
-        });
+        const bool byTruth = std::any_of(lights.begin(), lights.end(),
+                                         [&](const Judgement& light) { return light.tiedByTruth[i]; });
         ++(byTruth ? out.tiedTruth : out.tiedCount);
     }
     return out;

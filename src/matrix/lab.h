@@ -44,7 +44,8 @@ class Lab {
     /// The plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
 
-    /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the scene.
+    /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
+    /// scene.
     std::vector<Missing> missingFor(const Profile& profile, const Axes& axes, const Plan& plan);
 
     /// One step on the way to a chip's path.

@@ -24,11 +24,11 @@ std::string ops(const StencilSide& side) {
 }
 
 std::string stencilState(const Stencil& s) {
-    const std::string test = fmt::format(
-        "stencil {} {}{}{}{}, op ", upper(name(s.function)), s.reference,
-        s.minusBlockers ? " minus the atomic count" : "",
-        s.readMask == ~0u ? "" : fmt::format(" & {:#x}", s.readMask),
-        s.writeMask == ~0u ? "" : fmt::format(", write mask {:#x}", s.writeMask));
+    const std::string test =
+        fmt::format("stencil {} {}{}{}{}, op ", upper(name(s.function)), s.reference,
+                    s.minusBlockers ? " minus the atomic count" : "",
+                    s.readMask == ~0u ? "" : fmt::format(" & {:#x}", s.readMask),
+                    s.writeMask == ~0u ? "" : fmt::format(", write mask {:#x}", s.writeMask));
     if (s.front == s.back) return test + ops(s.front);
     return fmt::format("{}front {} back {}", test, ops(s.front), ops(s.back));
 }
@@ -41,16 +41,16 @@ std::string describeClear(const Pass& pass) {
     std::vector<std::string> parts;
     const auto& c = pass.colour;
     if (pass.write.red)
-        parts.push_back(pass.clearsToBackground ? "colour of the background" : fmt::format("colour {:.4g}", c.r));
+        parts.push_back(pass.clearsToBackground ? "colour of the background"
+                                                : fmt::format("colour {:.4g}", c.r));
     if (pass.write.alpha) parts.push_back(fmt::format("alpha {:.4g}", c.a));
     if (pass.clearsDepth) parts.push_back("depth 1");
     if (pass.stencilIsBlockers)
         parts.push_back("stencil to the count of one pixel");
     else if (pass.clearsStencil)
-        parts.push_back(fmt::format("stencil {}{}", pass.stencilValue,
-                                    pass.stencil.writeMask == ~0u
-                                        ? ""
-                                        : fmt::format(" in mask {:#x}", pass.stencil.writeMask)));
+        parts.push_back(fmt::format(
+            "stencil {}{}", pass.stencilValue,
+            pass.stencil.writeMask == ~0u ? "" : fmt::format(" in mask {:#x}", pass.stencil.writeMask)));
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 

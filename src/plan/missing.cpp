@@ -56,8 +56,8 @@ std::string listOf(const std::set<BlendFactor>& factors) {
 
 /// A draw whose fragments all have one grey source colour.
 bool constantGrey(const Pass& pass) {
-    const bool constant = (pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle) &&
-                          pass.program == Program::None;
+    const bool constant =
+        (pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle) && pass.program == Program::None;
     return constant && pass.texture == MaskTexture::None && pass.colour.r == pass.colour.g &&
            pass.colour.g == pass.colour.b;
 }

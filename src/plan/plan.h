@@ -118,8 +118,8 @@ struct Pass {
 
     // State
     bool clearsDepth = false, clearsStencil = false;  ///< Clear
-    int stencilValue = 0;             ///< Clear: what the stencil is cleared to
-    bool stencilIsBlockers = false;   ///< Clear: to what hides the eye, as counted, instead
+    int stencilValue = 0;                             ///< Clear: what the stencil is cleared to
+    bool stencilIsBlockers = false;                   ///< Clear: to what hides the eye, as counted, instead
     bool clearsToBackground = false;  ///< Clear: red, green and blue are the scene's background
     bool blackBackdrop = false;       ///< Scene over a mask: what lies at infinity is black
     bool depthTest = false, depthWrite = false;
@@ -129,8 +129,8 @@ struct Pass {
     Blend blend{};
     Stencil stencil{};
     MaskTexture texture =
-        MaskTexture::None;       ///< Copy: the format to copy into; Rectangle: the mask is mapped onto it
-    bool frameTexture = false;   ///< Copy, Rectangle: the frame so far instead of the mask
+        MaskTexture::None;      ///< Copy: the format to copy into; Rectangle: the mask is mapped onto it
+    bool frameTexture = false;  ///< Copy, Rectangle: the frame so far instead of the mask
     Target target = Target::Window;
     int mapFace = 0;  ///< Target::DepthMap: 0 for a directional light, 0 to 5 for a point light
     Program program = Program::None;
@@ -152,9 +152,9 @@ struct MaskTap {
 /// here is tied to OpenGL, to a scene, or to a chip beyond the choices that were made for it.
 struct Plan {
     std::vector<Pass> passes{};
-    int width = 0, height = 0;                ///< window, pixels
-    int maskWidth = 0, maskHeight = 0;        ///< viewport of the mask, pixels
-    int textureWidth = 0, textureHeight = 0;  ///< of the mask's texture, texels; 0 without one
+    int width = 0, height = 0;                          ///< window, pixels
+    int maskWidth = 0, maskHeight = 0;                  ///< viewport of the mask, pixels
+    int textureWidth = 0, textureHeight = 0;            ///< of the mask's texture, texels; 0 without one
     int frameTextureWidth = 0, frameTextureHeight = 0;  ///< of the frame so far, texels; 0 without one
     int mapSize = 0;                                    ///< texels per side of a depth map; 0 without one
     float mapBias = 0;                                  ///< of its depths, 0..1

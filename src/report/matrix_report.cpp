@@ -173,41 +173,13 @@ std::string matrixJson(const std::vector<Cell>& cells) {
 }
 
 std::string matrixCsv(const std::vector<Cell>& cells) {
-    std::string text = csvLine({"cell",
-                                "profile",
-                                "method",
-                                "scene",
-                                "store",
-                                "arithmetic",
-                                "levels",
-                                "count",
-                                "silhouette",
-                                "mask_scale",
-                                "apply",
-                                "shade",
-                                "width",
-                                "height",
-                                "frame",
-                                "lights",
-                                "fidelity",
-                                "verdict",
-                                "chosen",
-                                "missing",
-                                "causes",
-                                "passes_scene",
-                                "passes_volume",
-                                "passes_rectangle",
-                                "passes_copy",
-                                "pixels",
-                                "tied_truth",
-                                "tied_count",
-                                "wrong_edge",
-                                "wrong_interior",
-                                "vertices",
-                                "cpu_ms",
-                                "unshadowed_ms",
-                                "digest",
-                                "error"});
+    std::string text = csvLine(
+        {"cell",        "profile", "method",        "scene",        "store",         "arithmetic",
+         "levels",      "count",   "silhouette",    "mask_scale",   "apply",         "shade",
+         "width",       "height",  "frame",         "lights",       "fidelity",      "verdict",
+         "chosen",      "missing", "causes",        "passes_scene", "passes_volume", "passes_rectangle",
+         "passes_copy", "pixels",  "tied_truth",    "tied_count",   "wrong_edge",    "wrong_interior",
+         "vertices",    "cpu_ms",  "unshadowed_ms", "digest",       "error"});
     for (const Cell& c : cells) {
         std::vector<std::string> missing, causes;
         for (const Missing& m : c.missing) missing.push_back(m.what);

@@ -73,7 +73,8 @@ std::vector<glm::vec4> eyeBlockers(const Scene& scene, std::span<const LitCaster
         polygon.clear();
         for (const glm::dvec3& corner : corners) {
             const glm::dvec3 p = corner - eye;
-            polygon.push_back({glm::dot(p, x) / pixel, glm::dot(p, y) / pixel, glm::dot(p, along) / distance});
+            polygon.push_back(
+                {glm::dot(p, x) / pixel, glm::dot(p, y) / pixel, glm::dot(p, along) / distance});
         }
         for (const int axis : {0, 1})
             for (const double sign : {1.0, -1.0})

@@ -15,10 +15,11 @@ FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, co
     const PolygonSink sink = [&](Part part, std::span<const glm::vec4> polygon, bool reversed) {
         const bool isSurface = part == Part::NearCap || part == Part::LightCap;
         const bool uncut = style.clip != Clip::Frustum && !isSurface;
-        appendFan(uncut ? polygon : window.cut(polygon), reversed,
-                  volumes.parts[std::size_t(part)].vertices);
+        appendFan(uncut ? polygon : window.cut(polygon), reversed, volumes.parts[std::size_t(part)].vertices);
     };
-    const auto isOpen = [](const FrameVolumes::Runs& runs) { return runs.vertices.size() > runs.begins.back(); };
+    const auto isOpen = [](const FrameVolumes::Runs& runs) {
+        return runs.vertices.size() > runs.begins.back();
+    };
     const auto append = [&](const LitCaster& one) {
         cutVolume(scene, one, light, view, parts, style, sink);
         auto& caps = volumes.parts[std::size_t(Part::NearCap)];

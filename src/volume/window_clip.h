@@ -21,9 +21,9 @@ inline glm::vec4 between(const glm::vec4& a, const glm::vec4& b, double v, doubl
 }
 
 /// Cuts convex polygons in clip space at the sides of the window, a quarter pixel outside of the outermost
-/// pixel centres, so that OpenGL has nothing to clip. llvmpipe culls what it clips by another sign of the area
-/// than what it rasterises, and a sliver may fall out of the pass for front faces and of that for back faces
-/// too.
+/// pixel centres, so that OpenGL has nothing to clip. llvmpipe culls what it clips by another sign of the
+/// area than what it rasterises, and a sliver may fall out of the pass for front faces and of that for back
+/// faces too.
 ///
 /// Faces that share an edge to the bit share its cut point to the bit: it is computed from the edge's ends in
 /// one order. @p Point has positionOf() and between(), found where it is declared.

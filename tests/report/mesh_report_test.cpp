@@ -68,7 +68,8 @@ TEST(MeshReport, TextSaysWhereObjectsDifferFromTheWhole) {
     EXPECT_THAT(lineWith(text, "manifold   "), HasSubstr("refused"));
     EXPECT_THAT(lineWith(text, "caps turned"), HasSubstr("refused"));
     EXPECT_THAT(text, AllOf(HasSubstr("4 point lights around (0, 0, 0)"), HasSubstr("of the scene")));
-    EXPECT_THAT(text, AllOf(HasSubstr("per-triangle / winding, of all lights: polygons "), HasSubstr("1.846 = 4440000")));
+    EXPECT_THAT(text, AllOf(HasSubstr("per-triangle / winding, of all lights: polygons "),
+                            HasSubstr("1.846 = 4440000")));
 }
 
 TEST(MeshReport, TextSaysWhereOnlyTheWholeIsClosed) {
