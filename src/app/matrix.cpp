@@ -78,7 +78,8 @@ void addMatrix(CLI::App& app, int& status) {
     command
         ->add_option("--frames", options->frames,
                      "frames of the camera path: 0,15 or 0-59 (default: twelve, a twelfth of the path apart)")
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     options->fidelity.addTo(*command);
     options->format.addTo(*command);
     command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")

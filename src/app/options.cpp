@@ -92,7 +92,8 @@ void takeLights(Scene& scene, const std::string& word) {
     } else if (word != "all") {
         const int number = wholeNumber("--lights", word);
         if (number < 1) throw UsageError(fmt::format("--lights: {} is less than 1", number));
-        wanted = std::min(all, std::size_t(number));
+        if (std::size_t(number) > all) throw UsageError(fmt::format("--lights: {} has {}", scene.id, all));
+        wanted = std::size_t(number);
     }
     scene.lights.resize(wanted);
     if (wanted < all)
@@ -141,7 +142,7 @@ Format FormatOption::value() const {
 }
 
 void ProfileOption::addTo(CLI::App& app, const std::string& help) {
-    app.add_option("--profile", ids, help)->delimiter(',')->type_name("ID");
+    app.add_option("--profile", ids, help)->delimiter(',')->allow_extra_args(false)->type_name("ID");
 }
 
 std::vector<Profile> ProfileOption::load(const std::vector<std::string>& fallback) const {
@@ -166,7 +167,7 @@ std::vector<Profile> ProfileOption::load(const std::vector<std::string>& fallbac
 }
 
 void SceneOption::addTo(CLI::App& app, const std::string& help) {
-    app.add_option("scene,--scene", ids, help)->delimiter(',')->type_name("ID|FILE");
+    app.add_option("scene,--scene", ids, help)->delimiter(',')->allow_extra_args(false)->type_name("ID|FILE");
     const std::string group = "Light and camera (y up; default: from the file, else around the mesh)";
     app.add_option("--light", light, "x,y,z of a point light, or x,y,z,0 towards one at infinity")
         ->group(group);
@@ -209,15 +210,17 @@ std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) c
 void MethodOption::addTo(CLI::App& app) {
     app.add_option("--method", ids, "named methods (gnomon methods lists them)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("ID");
     const std::string group = "Axes of a method (each a comma list; the product is taken)";
     const auto axis = [&](const std::string& flag, std::vector<std::string>& words, const std::string& help) {
-        app.add_option(flag, words, help)->delimiter(',')->group(group);
+        app.add_option(flag, words, help)->delimiter(',')->allow_extra_args(false)->group(group);
     };
     axis("--store", stores, listOf<Store>(kStores));
     axis("--arithmetic", arithmetics, listOf<Arithmetic>(kArithmetics));
     app.add_option("--levels", levels, "nesting depth that double resolves, 1 to 8 (default: 2)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->group(group);
     axis("--count", counts, listOf<Count>(kCounts));
     axis("--silhouette", silhouettes, listOf<Silhouette>(kSilhouettes));
@@ -231,15 +234,18 @@ void MethodOption::addTo(CLI::App& app) {
     axis("--clip", clips, "where the host cuts volumes: frustum (default), eye (the plane through it), none");
     app.add_option("--offset", offsets, "start volumes this far behind their caster, world units (zfail)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->group(group);
     app.add_option("--map-size", mapSizes,
                    fmt::format("texels per side of a depth map (default: {})", kDefaultMapSize))
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->group(group);
     app.add_option(
            "--map-bias", mapBiases,
            fmt::format("of a depth map, a share of the distance to the light (default: {})", kDefaultMapBias))
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->group(group);
 }
 
@@ -251,6 +257,22 @@ bool MethodOption::isEmpty() const {
 
 std::vector<Shade> MethodOption::shadeList() const {
     return orElse(wordsOf<Shade>("--shade", shades, kShades), Shade::Attenuated);
+}
+
+/// Refuses flags that mean nothing to any of @p methods.
+void MethodOption::checkUsed(const std::vector<Axes>& methods) const {
+    const auto need = [&](const auto& given, const char* flag, const char* what, auto uses) {
+        if (!given.empty() && std::none_of(methods.begin(), methods.end(), uses))
+            throw UsageError(fmt::format("{}: none of these methods {}", flag, what));
+    };
+    const auto isMap = [](const Axes& a) { return a.store == Store::DepthMap; };
+    const auto hasVolumes = [&](const Axes& a) { return a.store != Store::None && !isMap(a); };
+    need(levels, "--levels", "doubles", [](const Axes& a) { return a.arithmetic == Arithmetic::Double; });
+    need(mapSizes, "--map-size", "has a depth map", isMap);
+    need(mapBiases, "--map-bias", "has a depth map", isMap);
+    need(counts, "--count", "has volumes", hasVolumes);
+    need(silhouettes, "--silhouette", "has volumes", hasVolumes);
+    need(arithmetics, "--arithmetic", "has volumes", hasVolumes);
 }
 
 std::vector<Axes> MethodOption::axes(std::string& dropped) const {
@@ -328,6 +350,7 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
         }
     }
     if (all.empty()) throw UsageError("no method is left: " + why);
+    checkUsed(all);
     if (contradictions)
         dropped = fmt::format("{} combinations left out that contradict themselves, such as: {}",
                               contradictions, why);
@@ -337,6 +360,7 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
 void SizeOption::addTo(CLI::App& app) {
     app.add_option("--size", words, "image size in pixels (default: 320x240)")
         ->delimiter(',')
+        ->allow_extra_args(false)
         ->type_name("WxH");
 }
 

@@ -71,6 +71,9 @@ struct MethodOption {
     /// @throws UsageError for an unknown word, or if nothing is left
     std::vector<Axes> axes(std::string& dropped) const;
     std::vector<Shade> shadeList() const;
+
+  private:
+    void checkUsed(const std::vector<Axes>& methods) const;
 };
 
 /// --size

@@ -225,7 +225,8 @@ int facing(int a, int b, int c) {
     return s < 0.0 && v[a].at.w > 1.5 ? -1 : 0;
 }
 
-// On which side of the line from the eye to the light an edge passes; the same for both of its triangles.
+// On which side of the line from the eye to the light an edge passes; the same for both of its triangles,
+// and never on it, so that a line through the edge meets one of them.
 double passes(int a, int b) {
     double sign = 1.0;
     if (v[a].id > v[b].id) {
@@ -237,13 +238,14 @@ double passes(int a, int b) {
     precise dvec3 p = dvec3(v[a].at.xyz) - eye.xyz, q = dvec3(v[b].at.xyz) - eye.xyz;
     precise dvec3 d = light.xyz - light.w * eye.xyz;
     precise dvec3 n = cross(p, q);
-    return sign * dot(n, d);
+    precise double height = dot(n, d);
+    return height == 0.0 ? sign : sign * height;
 }
 
 bool hidesEye(int own) {
     if (double(own) * side(0, 2, 4, eye) >= 0.0) return false;
     double a = passes(0, 2), b = passes(2, 4), c = passes(4, 0);
-    return (a >= 0.0 && b >= 0.0 && c >= 0.0) || (a <= 0.0 && b <= 0.0 && c <= 0.0);
+    return (a > 0.0 && b > 0.0 && c > 0.0) || (a < 0.0 && b < 0.0 && c < 0.0);
 }
 
 // --- Faces, each drawn in at most two parts

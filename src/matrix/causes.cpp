@@ -119,6 +119,16 @@ std::map<std::string, int> causesOf(const CauseInputs& in) {
         }
     };
     const std::string rest = in.axes.maskDivisor > 1 ? "low mask resolution" : "unexplained";
+    if (in.axes.capFaces == CapFaces::Away) {
+        // Volumes start at the faces turned away: what is inside a caster lies in none.
+        each([&](std::size_t i) { return in.truth.blocked[i] ? std::string("inside of a caster") : rest; });
+        return causes;
+    }
+    const bool startsAtEye = in.axes.count == Count::PlusPlusZp || in.axes.count == Count::AtomicZp;
+    if (startsAtEye && in.eyeOnFace) {
+        each([&](std::size_t) { return std::string("eye on a face of a volume"); });
+        return causes;
+    }
     if (in.axes.arithmetic == Arithmetic::Count) {
         each([&](std::size_t) { return rest; });
         return causes;

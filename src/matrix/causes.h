@@ -18,6 +18,7 @@ struct CauseInputs {
     const FrameSurfaces& surfaces;
     const FrameVolumes& volumes;  ///< with the parts that the method draws
     bool eyeInVolume = false;     ///< a volume touches the near rectangle
+    bool eyeOnFace = false;       ///< the eye lies exactly on a face of a volume
     int depthBits = 24;
     int maskBits = 8;  ///< per channel of the mask
 };

@@ -337,17 +337,19 @@ struct Lab::Impl {
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
         const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
                                       : std::shared_ptr<const FrameVolumes>();
-        const auto causes = causesOf({.judgement = judgement,
-                                      .truth = truth,
-                                      .axes = axes,
-                                      .view = view(),
-                                      .surfaces = surfacesOf(),
-                                      .volumes = drawn ? *drawn : kNone,
-                                      .eyeInVolume = eyeInVolumes(index),
-                                      .depthBits = format.depth,
-                                      .maskBits = axes.store == Store::Alpha
-                                                      ? format.alpha
-                                                      : std::min({format.red, format.green, format.blue})});
+        const auto causes = causesOf(
+            {.judgement = judgement,
+             .truth = truth,
+             .axes = axes,
+             .view = view(),
+             .surfaces = surfacesOf(),
+             .volumes = drawn ? *drawn : kNone,
+             .eyeInVolume = eyeInVolumes(index),
+             .eyeOnFace =
+                 onVolumeFace(scene, litOf(index, Silhouette::Winding), light(index).position, view().eye),
+             .depthBits = format.depth,
+             .maskBits = axes.store == Store::Alpha ? format.alpha
+                                                    : std::min({format.red, format.green, format.blue})});
         for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };

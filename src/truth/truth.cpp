@@ -89,7 +89,7 @@ class Tracer::Frame {
             pixel.tie = Tie::Truth;
         } else {
             if (surface) pixel.tie = m_countTies.at(triangle(*surface), *point, {});
-            if (!quick.isSure && pixel.tie != Tie::Count)
+            if (!quick.isSure && pixel.tie != Tie::Count && !pixel.facesAway)
                 pixel.tie = std::max(pixel.tie, countTieBeside(x, y));
         }
         return pixel;
@@ -347,8 +347,11 @@ class Tracer::Frame {
         for (const glm::dvec2& corner : kCorners) look(corner);
 
         Tie tie = Tie::None;
-        for (const auto& [surface, point] : seen)
+        for (const auto& [surface, point] : seen) {
+            // On a side that faces away the mask may hold anything.
+            if (surface.facesAway) return Tie::Count;
             tie = std::max(tie, m_countTies.at(triangle(surface), point, beside));
+        }
         return tie;
     }
 

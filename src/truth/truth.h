@@ -19,7 +19,8 @@ enum class Tie : std::uint8_t {
     CountIfClamped,  ///< a side of a volume lies so close to the visible surface that it may be counted or
                      ///< not; a count keeps its class either way, but a mask that has lost counts by clamping
                      ///< may not
-    Count,           ///< the same, and the class of the count would change
+    Count,           ///< the same, and the class of the count would change; or a side that faces away, for
+                     ///< which the count means nothing, is seen within 1/256 pixel
     Truth,           ///< the answer changes within 1/256 pixel, or within one quantum of depth
 };
 

@@ -11,13 +11,13 @@
 namespace gnomon {
 namespace {
 
-/// Calls @p visit with the corners of each cap's triangle, counter-clockwise seen from the light.
+/// Calls @p visit with each cap's triangle and its corners, counter-clockwise seen from the light.
 template <class Visit>
 void eachCap(const Scene& scene, std::span<const LitCaster> lit, Visit visit) {
     for (const LitCaster& caster : lit) {
         const auto& positions = scene.objects[caster.object].mesh.positions;
         for (const glm::uvec3& t : caster.lit)
-            visit(std::array<glm::dvec3, 3>{positions[t.x], positions[t.y], positions[t.z]});
+            visit(t, std::array<glm::dvec3, 3>{positions[t.x], positions[t.y], positions[t.z]});
     }
 }
 
@@ -47,13 +47,32 @@ int holdingEye(const Scene& scene, std::span<const LitCaster> lit, const glm::ve
                const glm::dvec3& eye) {
     int count = 0;
     const glm::dvec4 l(light);
-    eachCap(scene, lit, [&](const std::array<glm::dvec3, 3>& p) {
+    eachCap(scene, lit, [&](const glm::uvec3& t, const std::array<glm::dvec3, 3>& p) {
         if (orientation(p[0], p[1], p[2], eye) >= 0) return;  // on the light's side
         bool inside = true;
-        for (int k = 0; k < 3 && inside; ++k) inside = orientation(p[k], p[(k + 1) % 3], eye, l) >= 0;
+        for (int k = 0; k < 3 && inside; ++k) {
+            const int side = orientation(p[k], p[(k + 1) % 3], eye, l);
+            // A segment through an edge crosses one of its two triangles.
+            inside = side > 0 || (side == 0 && t[k] < t[(k + 1) % 3]);
+        }
         count += inside;
     });
     return count;
+}
+
+bool onVolumeFace(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
+                  const glm::dvec3& eye) {
+    // Seen from the light, the eye lies in a cap's triangle or on its edge, and not before it.
+    const glm::dvec4 l(light);
+    bool found = false;
+    eachCap(scene, lit, [&](const glm::uvec3&, const std::array<glm::dvec3, 3>& p) {
+        const int height = orientation(p[0], p[1], p[2], eye);
+        if (found || height > 0) return;
+        int least = 1;
+        for (int k = 0; k < 3; ++k) least = std::min(least, orientation(p[k], p[(k + 1) % 3], eye, l));
+        found = least == 0 || (least > 0 && height == 0);
+    });
+    return found;
 }
 
 std::vector<glm::vec4> eyeBlockers(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
@@ -68,7 +87,7 @@ std::vector<glm::vec4> eyeBlockers(const Scene& scene, std::span<const LitCaster
 
     std::vector<glm::vec4> triangles;
     std::vector<glm::dvec3> polygon;
-    eachCap(scene, lit, [&](const std::array<glm::dvec3, 3>& corners) {
+    eachCap(scene, lit, [&](const glm::uvec3&, const std::array<glm::dvec3, 3>& corners) {
         // Seen along the line, lengths in half pixels; z from 0 at the eye to 1 at the light.
         polygon.clear();
         for (const glm::dvec3& corner : corners) {

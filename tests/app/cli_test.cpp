@@ -105,6 +105,10 @@ TEST_P(BadArgument, IsRefusedInOneLine) {
     expectRefused(run(GetParam().arguments), GetParam().what);
 }
 
+TEST_F(Program, TakesASceneAfterAListOption) {
+    EXPECT_EQ(run({"plan", "--method", "carmack", "boxes"}).status, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(
     Cli, BadArgument,
     testing::Values(
@@ -124,6 +128,22 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"UnknownMaskScale", {"matrix", "--mask-scale", "1/3"}, "'1/3'"},
         BadArguments{"UnknownApply", {"matrix", "--apply", "glue"}, "'glue'"},
         BadArguments{"UnknownShade", {"render", "--shade", "grey"}, "'grey'"},
+        BadArguments{"LevelsOfNoMethodThatDoubles",
+                     {"render", "--method", "carmack", "--levels", "3"},
+                     "--levels: none of these methods doubles"},
+        BadArguments{
+            "MapSizeOfNoDepthMap", {"render", "--method", "carmack", "--map-size", "256"}, "--map-size"},
+        BadArguments{
+            "MapSizeBeyondTheRange", {"render", "--method", "williams", "--map-size", "0"}, "--map-size"},
+        BadArguments{
+            "MapBiasBeyondTheRange", {"render", "--method", "williams", "--map-bias", "1"}, "--map-bias"},
+        BadArguments{"CountOfNoVolumes", {"render", "--store", "none", "--count", "zfail"}, "--count: none"},
+        BadArguments{"UnknownStart", {"render", "--start", "top"}, "--start: no such value 'top'"},
+        BadArguments{"StartOfABlend", {"render", "--store", "alpha", "--start", "middle"}, "a stencil's"},
+        BadArguments{"NegativeOffset", {"render", "--method", "carmack", "--offset=-1"}, "--offset"},
+        BadArguments{"OffsetWithoutALightCap", {"render", "--method", "heidmann", "--offset", "1"}, "zfail"},
+        BadArguments{"MoreLightsThanThereAre", {"render", "boxes", "--lights", "2"}, "--lights: boxes has 1"},
+        BadArguments{"NoLights", {"render", "boxes", "--lights", "0"}, "--lights"},
         BadArguments{"LevelsBeyondTheRange", {"matrix", "--levels", "9"}, "--levels: 9"},
         BadArguments{
             "ContradictionsOnly", {"matrix", "--store", "stencil", "--arithmetic", "double"}, "no method"},

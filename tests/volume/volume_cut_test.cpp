@@ -161,6 +161,36 @@ TEST(EyeBlockers, AreNoneForAnEyeAtTheLight) {
     EXPECT_EQ(holdingEye(scene, lit, light, {3, 0, 0}), 0);
 }
 
+TEST(HoldingEye, CountsATriangleOnceWhereTheSegmentMeetsTheEdgeOfTwo) {
+    // The segment from the eye to the light passes through the diagonal of the cube's lit face.
+    const Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    const glm::vec4 light(9, 0, 0, 1);
+    const auto lit = litCasters(scene, light, Silhouette::Winding);
+    EXPECT_EQ(holdingEye(scene, lit, light, {-9, 0, 0}), 1);
+    // Through one of its corners, and past it.
+    const glm::vec3 corner = scene.objects[0].mesh.positions[lit.at(0).lit.at(0).x];
+    const glm::dvec3 behind = glm::dvec3(corner) + (glm::dvec3(corner) - glm::dvec3(light));
+    EXPECT_LE(holdingEye(scene, lit, light, behind), 1);
+    EXPECT_EQ(holdingEye(scene, lit, light, {-9, 9, 0}), 0);
+}
+
+TEST(OnVolumeFace, IsAnEyeInACapOrASideAndNoOther) {
+    const Scene scene = sceneOf(cube({0, 0, 0}, 1));
+    const glm::vec4 light(0, 9, 0, 1);
+    const auto lit = litCasters(scene, light, Silhouette::Winding);
+    float top = -9, right = -9;
+    for (const glm::vec3& p : scene.objects[0].mesh.positions) {
+        top = std::max(top, p.y);
+        right = std::max(right, p.x);
+    }
+    const auto isOn = [&](const glm::dvec3& eye) { return onVolumeFace(scene, lit, light, eye); };
+    EXPECT_TRUE(isOn({0.1, top, 0.2}));
+    EXPECT_FALSE(isOn({0.1, top + 0.01, 0.2}));
+    EXPECT_FALSE(isOn({0.11, top - 0.01, 0.2}));
+    // On the ray from the light through an edge of the lit face.
+    EXPECT_TRUE(isOn(glm::dvec3(0, 9, 0) + 2.0 * (glm::dvec3(right, top, 0.25) - glm::dvec3(0, 9, 0))));
+}
+
 TEST(CutVolume, LightCapsAreTheirSurfacesToTheBit) {
     for (unsigned seed = 0; seed < 200; ++seed) {
         const World w = randomWorld(seed);
