@@ -1,6 +1,8 @@
 // The README's blocks are what the commands above them print. To bring them up to date:
 //     GNOMON_UPDATE_README=1 build/release/tests/app_tests --gtest_filter='Readme.*'
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 
 #include "program.h"
@@ -56,7 +58,7 @@ TEST_F(Readme, MapNamesEveryLayer) {
     for (const auto& folder :
          std::filesystem::directory_iterator(std::filesystem::path(GNOMON_SOURCE) / "src")) {
         if (!folder.is_directory()) continue;
-        EXPECT_NE(readme.find("src/" + folder.path().filename().string() + " "), std::string::npos)
+        EXPECT_NE(readme.find(fmt::format("src/{} ", folder.path().filename().string())), std::string::npos)
             << folder.path();
     }
 }
@@ -64,7 +66,7 @@ TEST_F(Readme, MapNamesEveryLayer) {
 TEST_F(Readme, NamesEveryCommand) {
     const std::string readme = contentOf(kReadme);
     for (const char* command : {"matrix", "render", "plan", "profiles", "methods", "reproduce", "mesh"})
-        EXPECT_NE(readme.find(std::string("gnomon ") + command), std::string::npos) << command;
+        EXPECT_NE(readme.find(fmt::format("gnomon {}", command)), std::string::npos) << command;
 }
 
 }  // namespace
