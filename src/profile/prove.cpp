@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <set>
-#include <tuple>
 
 namespace gnomon {
 namespace {
@@ -374,10 +373,9 @@ std::vector<int> startsOf(const MaskClaim& claim, std::optional<int> levels) {
     std::vector<int> starts;
     switch (claim.arithmetic) {
         case MaskArithmetic::Double:
-            for (int code = 1; code < most; ++code) {
-                const double exact = levels ? double(most) / (1 << *levels) : code;
-                if (std::abs(code - exact) < 1) starts.push_back(code);
-            }
+            if (levels) return {std::max(int(std::lround(double(most) / (1 << *levels))), 1)};
+            // From above: fewer levels cost fewer rectangles.
+            for (int code = most - 1; code > 0; --code) starts.push_back(code);
             return starts;
         case MaskArithmetic::Halve:
             for (int code = most; code > most / 2; --code) starts.push_back(code);
@@ -402,26 +400,43 @@ MaskProof prove(const MaskClaim& claim, const MaskChoice& choice) {
 
 MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
     assert(canDraw(claim.channel, claim.arithmetic) && !starts.empty());
-    std::tuple best{-2, -2};
-    MaskChoice choice;
+    // All choices that reach as far as any.
+    std::pair best{-2, -2};
+    std::vector<MaskChoice> equals;
     for (const int half : {128, 127}) {
         if (half == 127 && !takesHalfConstant(claim.channel.unit)) break;
         const auto cells = stepsOf(claim, half);
         for (const int start : starts) {
             const Limits limits = limitsOf(cells, claim, start);
-            for (std::size_t t = 0; t < limits.depth.size(); ++t) {
-                const std::tuple value{limits.depth[t], limits.volumes[t]};
-                if (value <= best) continue;
-                best = value;
-                std::size_t end = t;
-                while (end + 1 < limits.depth.size() &&
-                       std::tuple{limits.depth[end + 1], limits.volumes[end + 1]} == value)
-                    ++end;
-                choice = {start, half, int((t + end + 1) / 2)};
-            }
+            const auto valueOf = [&](std::size_t t) { return std::pair(limits.depth[t], limits.volumes[t]); };
+            std::size_t first = 0;
+            for (std::size_t t = 0; t < limits.depth.size(); ++t)
+                if (valueOf(t) > valueOf(first)) first = t;
+            if (valueOf(first) < best) continue;
+            if (valueOf(first) > best) equals.clear();
+            best = valueOf(first);
+            std::size_t last = first;
+            while (last + 1 < limits.depth.size() && valueOf(last + 1) == best) ++last;
+            equals.push_back({start, half, int((first + last + 1) / 2)});
         }
     }
-    return complete(stepsOf(claim, choice.half), claim, choice, std::get<0>(best), std::get<1>(best));
+
+    // Of these the one whose normalisation leaves least.
+    const auto residueOf = [&](const MaskChoice& choice) {
+        MaskProof proof{.choice = choice, .depth = limit(best.first), .volumes = limit(best.second)};
+        measureResidue(stepsOf(claim, choice.half), claim, proof);
+        return proof.lightInShadow.value_or(0) + proof.darknessOutside.value_or(0);
+    };
+    MaskChoice choice = equals.front();
+    if (equals.size() > 1) {
+        int least = residueOf(choice);
+        for (const MaskChoice& other : equals)
+            if (const int residue = residueOf(other); residue < least) {
+                least = residue;
+                choice = other;
+            }
+    }
+    return complete(stepsOf(claim, choice.half), claim, choice, best.first, best.second);
 }
 
 }  // namespace gnomon

@@ -77,8 +77,8 @@ constexpr int kMostNesting = 260;
 /// Whether the channel's unit can draw @p arithmetic at all.
 bool canDraw(const FrameChannel& channel, MaskArithmetic arithmetic);
 
-/// Codes that are good to start @p claim from: with @p levels those next to 2^-levels (double only), else all
-/// that could do.
+/// Codes that are good to start @p claim from, the cheapest first: with @p levels those next to 2^-levels
+/// (double only), else all that could do.
 std::vector<int> startsOf(const MaskClaim& claim, std::optional<int> levels);
 
 /// Explores every reachable code exhaustively, breadth first over codes and open volumes.
@@ -86,7 +86,7 @@ std::vector<int> startsOf(const MaskClaim& claim, std::optional<int> levels);
 MaskProof prove(const MaskClaim& claim, const MaskChoice& choice);
 
 /// The best proof over @p starts, both constants for 1/2 and all thresholds: the largest depth, then the most
-/// volumes. Of equal ones the earliest start, 128, and the middle threshold.
+/// volumes, then the least residue. Of equal ones 128, the earliest start, and the middle threshold.
 /// @pre canDraw; starts isn't empty
 MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts);
 

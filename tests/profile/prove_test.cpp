@@ -143,6 +143,20 @@ TEST(Prove, FindsThatParityTakesOneVolumeAtATime) {
     EXPECT_EQ(proof.counterexample->crossings, "DD");
 }
 
+TEST(Prove, StartsAtTheCodeNearestToItsLevels) {
+    EXPECT_THAT(startsOf({{IdealRound, 8}, Double, Volume}, 2), ElementsAre(64));
+    EXPECT_THAT(startsOf({{VoodooMame, 5}, Double, Volume}, 2), ElementsAre(8));
+    EXPECT_THAT(startsOf({{VoodooMame, 6}, Double, Volume}, 6), ElementsAre(1));
+    EXPECT_EQ(startsOf({{IdealRound, 8}, Double, Volume}, {}).size(), 254u);
+}
+
+// Between 63 and 64 three nested fronts can still be told apart by one code; normalisation can't.
+TEST(Prove, FindsStartsThatThePaperDidNotLookFor) {
+    const MaskProof proof = prove({{IdealRound, 8}, Double, FrontsFirst}, {63, 128, 64});
+    EXPECT_EQ(proof.depth, 3);
+    EXPECT_EQ(proof.lightInShadow, 254);
+}
+
 TEST(Prove, KnowsWhatAUnitCantDraw) {
     EXPECT_FALSE(canDraw({Nv3, 5}, Double));
     EXPECT_FALSE(canDraw({Virge, 5}, Double));
