@@ -72,8 +72,6 @@ Lack lackOf(const Profile& profile, bool alpha, MaskArithmetic arithmetic, Blend
     if (arithmetic == MaskArithmetic::Count && !takesAway &&
         !profile.blendEquations.contains(BlendEquation::ReverseSubtract))
         return {"blend equation reverse_subtract", profile.sourceOf("blend_equations")};
-    if (!canDraw({.unit = unit, .bits = 5}, arithmetic))
-        return {fmt::format("it in its blend unit {}", name(unit)), profile.sourceOf("blend_units")};
     return {};
 }
 
@@ -119,21 +117,32 @@ void addRows(const Profile& profile, const std::string& store, MaskArithmetic ar
             rows.push_back(row);
             return;  // of the other units it would be said again
         }
-        for (const auto& width : widthsOf(profile, alpha)) {
-            if (arithmetic == MaskArithmetic::Double && levels.value_or(0) > width.second) {
-                row.format = width.first;
-                row.claim.channel = {.unit = unit, .bits = width.second};
-                row.proof.reset();
+        const auto widths = widthsOf(profile, alpha);
+        if (widths.empty()) {
+            row.refused = "a channel of two bits or more";
+            row.source = profile.sourceOf(alpha ? "alpha_bits" : "colour_formats");
+            rows.push_back(row);
+            return;
+        }
+        for (const auto& width : widths) {
+            row.format = width.first;
+            row.claim.channel = {.unit = unit, .bits = width.second};
+            row.proof.reset();
+            const bool tooDeep = arithmetic == MaskArithmetic::Double && levels.value_or(0) > width.second;
+            if (tooDeep) {
                 row.refused = fmt::format("bits for {} levels: its channel has {}", *levels, width.second);
                 row.source = profile.sourceOf("colour_formats");
+            } else if (!canDraw(row.claim.channel, arithmetic)) {
+                row.refused = fmt::format("it in {} bits of its blend unit {}", width.second, name(unit));
+                row.source = profile.sourceOf("blend_units");
+            }
+            if (!row.refused.empty()) {
                 rows.push_back(row);
+                row.refused.clear();
+                row.source.clear();
                 continue;
             }
-            row.refused.clear();
-            row.source.clear();
             for (const DitherMode dither : dithersOf(profile, alpha, width.second)) {
-                row.format = width.first;
-                row.claim.channel.bits = width.second;
                 row.claim.channel.dither = dither;
                 row.proof = bestProof(row.claim, startsOf(row.claim, levels));
                 rows.push_back(row);

@@ -189,11 +189,13 @@ std::optional<int> apply(const FrameChannel& channel, MaskOperation operation, i
         case BlendUnit::IdealFloor:
             return applyIdeal(channel, operation, code);
         case BlendUnit::Nv3:
+            if (channel.bits != 5) return {};
             return applyNv3(operation, code);
         case BlendUnit::Psx:
+            if (channel.bits != 5) return {};
             return applyPsx(operation, code);
         case BlendUnit::Ds:
-            if (operation != Halve) return {};
+            if (operation != Halve || channel.bits != 6) return {};
             return blendDs(0, code, 15);
         case BlendUnit::Gs:
         case BlendUnit::GsWrap:

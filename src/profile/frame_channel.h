@@ -55,9 +55,10 @@ enum class MaskOperation : std::uint8_t {
 /// What @p code becomes, in the chip's own way (section 2(a)); none if its blend unit has none. That the rest
 /// of the chip lets the unit do it (equations, destination alpha) is the profile's matter.
 ///
-/// Units of their own width (ideal, nv3, ds, psx) work on codes, the ideal ones with exactly 1/2. The PS2
-/// halves with FIX = 0x40; ViRGE with black of alpha 255 - half; the PlayStation doubles by adding the frame,
-/// as a texture, to itself; the N64 doubles in one cycle, which lacks 1/32.
+/// nv3 and psx (5 bits) and ds (6 bits) have no other width. They and the ideal units work on codes, the
+/// ideal ones with exactly 1/2. The PS2 halves with FIX = 0x40; ViRGE with black of alpha 255 - half; the
+/// PlayStation doubles by adding the frame, as a texture, to itself; the N64 doubles in one cycle, which
+/// lacks 1/32.
 ///
 /// @param half  the 8-bit constant that stands for 1/2, where the unit takes one: 127 or 128
 std::optional<int> apply(const FrameChannel& channel, MaskOperation operation, int code, int half = 128);

@@ -147,6 +147,25 @@ TEST_F(Program, ProvesWhyAStoreIsRefused) {
                       HasSubstr("[PGS ubershader.comp")));
 }
 
+TEST_F(Program, ProvesNothingOfWidthsThatAUnitLacks) {
+    const std::string file =
+        write("station.toml",
+              "title = \"x\"\ncolour_formats = [\"5551\", \"4444\"]\nalpha_bits = 1\n"
+              "blend_writes_alpha = true\nalpha_source_factors = [\"one\"]\n"
+              "alpha_destination_factors = [\"one\"]\nsource_factors = [\"one\"]\n"
+              "destination_factors = [\"one\"]\n"
+              "blend_equations = [\"add\", \"reverse_subtract\"]\nblend_units = [\"psx\"]\n");
+    const Outcome outcome = run(
+        {"prove", "--profile", file, "--store", "screen,alpha", "--arithmetic", "count", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Json rows = Json::parse(outcome.out);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0]["bits"], 5);
+    EXPECT_TRUE(rows[0].contains("depth"));
+    EXPECT_EQ(rows[1]["refused"], "it in 4 bits of its blend unit psx");
+    EXPECT_EQ(rows[2]["refused"], "a channel of two bits or more");
+}
+
 TEST_F(Program, ProvesInCsvWithAsManyFieldsAsItsHead) {
     const std::string csv =
         run({"prove", "--profile", "tnt", "--arithmetic", "count,parity", "--format", "csv"}).out;

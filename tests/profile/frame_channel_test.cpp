@@ -321,8 +321,7 @@ TEST(FrameChannel, ResultsAreCodes) {
                 for (const int half : {127, 128})
                     for (int code = 0; code <= largestCode(bits); ++code) {
                         const auto result = apply({static_cast<BlendUnit>(u), bits}, operation, code, half);
-                        if (!result || (static_cast<BlendUnit>(u) == Nv3 && bits != 5)) continue;
-                        if (static_cast<BlendUnit>(u) == Psx && bits != 5) continue;
+                        if (!result) continue;
                         ASSERT_GE(*result, 0);
                         ASSERT_LE(*result, largestCode(bits)) << name(static_cast<BlendUnit>(u)) << bits;
                     }
