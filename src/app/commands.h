@@ -13,5 +13,6 @@ void addMethods(CLI::App& app, int& status);
 void addScenes(CLI::App& app, int& status);
 void addMesh(CLI::App& app, int& status);
 void addReproduce(CLI::App& app, int& status);
+void addProve(CLI::App& app, int& status);
 
 }  // namespace gnomon

@@ -87,6 +87,7 @@ std::vector<Contradiction> contradictions(const Profile& p) {
     rules.needs(!p.blendPairs.empty(), "blend_pairs", !p.blendEquations.empty(), "blend_equations");
     rules.needs(!p.constantSourcePairs.empty(), "constant_source_pairs", !p.blendEquations.empty(),
                 "blend_equations");
+    rules.needs(!p.blendUnits.empty(), "blend_units", !p.blendEquations.empty(), "blend_equations");
     for (const auto& [source, destination] : p.constantSourcePairs)
         rules.forbid(p.allowsBlend(source, destination), "constant_source_pairs",
                      fmt::format("constant_source_pairs has \"{} {}\", which any source colour may use",

@@ -151,6 +151,13 @@ Read words(std::set<Word> Profile::*field) {
     };
 }
 
+template <class Word>
+Read wordsInOrder(std::vector<Word> Profile::*field) {
+    return [=](Profile& profile, const Value& value) {
+        profile.*field = value.list([](const Value& element) { return element.word<Word>(element.text()); });
+    };
+}
+
 Read pairs(std::set<BlendPair> Profile::*field) {
     return [=](Profile& profile, const Value& value) {
         const auto all = value.list([](const Value& element) { return element.pair(); });
@@ -194,6 +201,8 @@ const std::vector<Field>& fields() {
         {"alpha_destination_factors", words(&Profile::alphaDestinationFactors)},
         {"separate_alpha_factors", yesOrNo(&Profile::separateAlphaFactors)},
         {"blend_equations", words(&Profile::blendEquations)},
+        {"blend_units", wordsInOrder(&Profile::blendUnits)},
+        {"dither_modes", wordsInOrder(&Profile::ditherModes)},
         {"texture_units", whole(&Profile::textureUnits, 32)},
         {"max_texture_size", whole(&Profile::maxTextureSize, 65536)},
         {"max_texture_aspect", whole(&Profile::maxTextureAspect, 65536)},
@@ -256,17 +265,23 @@ std::vector<std::pair<toml::key, const toml::node*>> inFileOrder(const toml::tab
     return entries;
 }
 
-/// Reads "{ value = ..., source = ..., also = ... }" or a plain value, and notes it as a fact.
+/// Reads "{ value = ..., source = ..., also = ..., grade = ... }" or a plain value, and notes it as a fact.
 void readFact(const std::string& file, const std::string& key, const toml::node& node, const Read& read,
               Profile& profile) {
     const toml::node* value = &node;
     std::string source, also;
+    std::optional<Evidence> grade;
     if (const toml::table* table = node.as_table()) {
         for (const auto& [part, content] : inFileOrder(*table)) {
-            if (part != "value" && part != "source" && part != "also")
-                refuseKey(file, part, {"value", "source", "also"});
+            if (part != "value" && part != "source" && part != "also" && part != "grade")
+                refuseKey(file, part, {"value", "source", "also", "grade"});
             if (part == "source") source = Value{file, key + "'s source", *content}.text();
             if (part == "also") also = Value{file, key + "'s also", *content}.text();
+            if (part == "grade") {
+                const std::string which = key + "'s grade";
+                const Value word{file, which, *content};
+                grade = word.word<Evidence>(word.text());
+            }
         }
         value = table->get("value");
         if (!value) fail(file, lineOf(node), fmt::format("{} has no value", key));
@@ -276,7 +291,7 @@ void readFact(const std::string& file, const std::string& key, const toml::node&
 
     if (source.empty()) source = "unsourced";
     if (!also.empty()) source += "; also " + also;
-    profile.facts.push_back({key, reading.written(), source});
+    profile.facts.push_back({key, reading.written(), source, grade});
 }
 
 void readEntry(const std::string& file, const toml::key& tomlKey, const toml::node& node, Profile& profile) {

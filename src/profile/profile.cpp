@@ -9,6 +9,10 @@ std::string Profile::sourceOf(const std::string& key) const {
     return fact == facts.end() ? "not in the profile" : fact->source;
 }
 
+BlendUnit Profile::blendUnit() const {
+    return blendUnits.empty() ? BlendUnit::IdealRound : blendUnits.front();
+}
+
 bool Profile::allowsBlend(BlendFactor source, BlendFactor destination) const {
     return (sourceFactors.contains(source) && destinationFactors.contains(destination)) ||
            blendPairs.contains({source, destination});

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -49,6 +50,42 @@ enum class FrameTexture : std::uint8_t {
     Direct,  ///< the chip samples the frame buffer where it lies
 };
 
+/// How a chip computes a blended channel, bit for bit: blend() in blend.h has the formulas with their
+/// sources.
+enum class BlendUnit : std::uint8_t {
+    IdealRound,
+    IdealFloor,
+    ProductsRound,
+    ProductsFloor,
+    VoodooMame,
+    Voodoo86Box,
+    Gs,
+    GsWrap,
+    PowerVr,
+    Flipper,
+    Rdp,
+    Ge,
+    Nv3,
+    Virge,
+    Ds,
+    Psx,
+    Nv2a
+};
+
+/// How a chip stores a value of 8 bits with fewer: off drops the low bits; the matrices are 3dfx's. With
+/// "subtract", blending first adds about half a step to the destination that it reads.
+enum class DitherMode : std::uint8_t { Off, Matrix4x4, Matrix4x4Subtract, Matrix2x2, Matrix2x2Subtract };
+
+/// What stands behind a fact, best first.
+enum class Evidence : std::uint8_t {
+    Recorded,  ///< measured on the chip, and reproduced by us
+    Document,  ///< its maker's or a programmer's manual
+    Emulator,  ///< an emulator's code
+    Driver,    ///< a driver's code
+    Derived,   ///< follows from other facts
+    Guess,
+};
+
 using BlendPair = std::pair<BlendFactor, BlendFactor>;  ///< source, destination
 
 /// Red, green, blue and alpha bits of one frame-buffer format.
@@ -87,6 +124,10 @@ struct Profile {
     std::set<BlendFactor> alphaSourceFactors{}, alphaDestinationFactors{};  ///< for the alpha channel
     bool separateAlphaFactors = false;                                      ///< glBlendFuncSeparate
     std::set<BlendEquation> blendEquations{};
+    /// The chip's own arithmetic: the first is what gnomon takes, further ones where sources disagree or
+    /// nobody knows. Empty: none known, and ideal rounding stands in.
+    std::vector<BlendUnit> blendUnits{};
+    std::vector<DitherMode> ditherModes{};  ///< the first is its driver's default; empty: never dithers
 
     // Textures
     int textureUnits = 0;
@@ -116,12 +157,16 @@ struct Profile {
         std::string key{}, value{};
         std::string
             source{};  ///< "unsourced", or where the figure comes from; "; also ..." where sources disagree
+        std::optional<Evidence> grade{};  ///< what kind of source; none if the profile doesn't say
     };
     std::vector<Fact> facts{};  ///< in the order of the file
 
     /// The source of the fact @p key, a key of the file such as "alpha_bits"; "unsourced" if it has none,
     /// "not in the profile" if the key is absent there.
     std::string sourceOf(const std::string& key) const;
+
+    /// The first of blendUnits, or ideal rounding.
+    BlendUnit blendUnit() const;
 
     bool allowsBlend(BlendFactor source, BlendFactor destination) const;
     /// As allowsBlend, for a draw whose fragments all have the same grey.
@@ -135,7 +180,7 @@ struct ProfileError : std::runtime_error {
 
 /// Reads a profile: "title", "year", "sources", and one key per capability, spelt as the field but in
 /// snake_case. A capability is a plain value, or { value = ..., source = "KEY place", also = "what another
-/// source says" }; one that is left out is absent.
+/// source says", grade = "recorded" }; one that is left out is absent.
 /// @throws ProfileError for a syntax error, an unknown key or word, a wrong type, a number out of range, an
 ///                      impossible combination (check.h)
 Profile loadProfile(const std::filesystem::path& file);
@@ -152,5 +197,8 @@ const std::string& name(Compare);
 const std::string& name(StencilOp);
 const std::string& name(WriteMask);
 const std::string& name(FrameTexture);
+const std::string& name(BlendUnit);   ///< "voodoo_mame"
+const std::string& name(DitherMode);  ///< "off", "4x4", "4x4_subtract", "2x2", "2x2_subtract"
+const std::string& name(Evidence);    ///< "recorded"
 
 }  // namespace gnomon

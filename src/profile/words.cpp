@@ -57,6 +57,41 @@ std::span<const std::string> names<FrameTexture>() {
     return kNames;
 }
 
+template <>
+std::span<const std::string> names<BlendUnit>() {
+    static const std::array<std::string, 17> kNames{"ideal_round",
+                                                    "ideal_floor",
+                                                    "products_round",
+                                                    "products_floor",
+                                                    "voodoo_mame",
+                                                    "voodoo_86box",
+                                                    "gs",
+                                                    "gs_wrap",
+                                                    "powervr",
+                                                    "flipper",
+                                                    "rdp",
+                                                    "ge",
+                                                    "nv3",
+                                                    "virge",
+                                                    "ds",
+                                                    "psx",
+                                                    "nv2a"};
+    return kNames;
+}
+
+template <>
+std::span<const std::string> names<DitherMode>() {
+    static const std::array<std::string, 5> kNames{"off", "4x4", "4x4_subtract", "2x2", "2x2_subtract"};
+    return kNames;
+}
+
+template <>
+std::span<const std::string> names<Evidence>() {
+    static const std::array<std::string, 6> kNames{"recorded", "document", "emulator",
+                                                   "driver",   "derived",  "guess"};
+    return kNames;
+}
+
 namespace {
 
 template <class Word>
@@ -87,13 +122,24 @@ const std::string& name(FrameTexture word) {
     return nameOf(word);
 }
 
+const std::string& name(BlendUnit word) {
+    return nameOf(word);
+}
+const std::string& name(DitherMode word) {
+    return nameOf(word);
+}
+const std::string& name(Evidence word) {
+    return nameOf(word);
+}
+
 std::span<const ColourFormat> knownColourFormats() {
     // 1555 and 5551 differ in where the alpha bit lies, not in what they hold.
-    static const std::array<ColourFormat, 7> kFormats{{{"565", 5, 6, 5, 0},
+    static const std::array<ColourFormat, 8> kFormats{{{"565", 5, 6, 5, 0},
                                                        {"555", 5, 5, 5, 0},
                                                        {"1555", 5, 5, 5, 1},
                                                        {"5551", 5, 5, 5, 1},
                                                        {"4444", 4, 4, 4, 4},
+                                                       {"6666", 6, 6, 6, 6},
                                                        {"888", 8, 8, 8, 0},
                                                        {"8888", 8, 8, 8, 8}}};
     return kFormats;

@@ -130,7 +130,10 @@ std::string showProfile(const Profile& profile, Format format) {
     if (format == Format::Json) {
         Json facts = Json::array();
         for (const auto& fact : profile.facts)
-            facts.push_back({{"key", fact.key}, {"value", fact.value}, {"source", fact.source}});
+            facts.push_back({{"key", fact.key},
+                             {"value", fact.value},
+                             {"source", fact.source},
+                             {"grade", fact.grade ? Json(name(*fact.grade)) : Json()}});
         return Json::array({Json{{"profile", profile.id},
                                  {"title", profile.title},
                                  {"year", profile.year},
@@ -139,15 +142,17 @@ std::string showProfile(const Profile& profile, Format format) {
                    .dump(2) +
                "\n";
     }
-    std::vector<std::vector<std::string>> rows{{"fact", "value", "source"}};
-    for (const auto& fact : profile.facts) rows.push_back({fact.key, fact.value, fact.source});
+    const auto gradeOf = [](const Profile::Fact& fact) { return fact.grade ? name(*fact.grade) : ""; };
+    std::vector<std::vector<std::string>> rows{{"fact", "value", "source", "grade"}};
+    for (const auto& fact : profile.facts) rows.push_back({fact.key, fact.value, fact.source, gradeOf(fact)});
     if (format == Format::Csv) return listing(rows, format);
 
     std::string text = fmt::format("{}: {}\n\n", profile.id, profile.title);
     for (const auto& fact : profile.facts)
         text += fmt::format("{:<26}{}\n{:26}[{}]\n", fact.key, wrapText(fact.value, 26), "",
-                            wrapText(fact.source, 27));
+                            wrapText(fact.grade ? gradeOf(fact) + ": " + fact.source : fact.source, 27));
     text += "\nA capability that is not listed is absent.\n";
+    if (profile.blendUnits.empty()) text += "Its blend arithmetic is not known: ideal rounding stands in.\n";
     if (!profile.sources.empty()) text += "\nSources\n";
     for (const std::string& source : profile.sources) text += "  " + wrapText(source, 4) + "\n";
     return text;

@@ -41,7 +41,7 @@ class Program : public ProgramTest {
     }
 };
 
-constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "reproduce",
+constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "reproduce", "prove",
                                      "profiles", "methods", "scenes", "mesh"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
@@ -88,6 +88,94 @@ TEST_F(Program, ShowsTheFactsOfAChipWithSources) {
     EXPECT_EQ(shown.status, 0);
     EXPECT_THAT(shown.out,
                 AllOf(HasSubstr("alpha_excludes_depth"), HasSubstr("[GL-CVG"), HasSubstr("Sources")));
+}
+
+TEST_F(Program, ShowsTheGradeOfEvidence) {
+    EXPECT_THAT(run({"profiles", "voodoo2"}).out, HasSubstr("[emulator: MAME"));
+    const Json tnt = Json::parse(run({"profiles", "tnt", "--format", "json"}).out);
+    bool seen = false;
+    for (const Json& fact : tnt[0]["facts"]) {
+        if (fact["key"] != "blend_units") continue;
+        EXPECT_EQ(fact["grade"], "guess");
+        seen = true;
+    }
+    EXPECT_TRUE(seen);
+}
+
+TEST_F(Program, ProvesTheVoodooExactWithoutDither) {
+    const Outcome outcome =
+        run({"prove", "--profile", "voodoo2", "--arithmetic", "double", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_EQ(outcome.err, "");
+    const Json rows = Json::parse(outcome.out);
+    EXPECT_EQ(rows.size(), 2u /* models */ * 2u /* 5 and 6 bits */ * 2u /* without and with dither */);
+    for (const Json& row : rows) {
+        const bool dithers = row["dither"] != "off";
+        EXPECT_EQ(row["drift"][1]["highest"] != row["drift"][1]["lowest"], dithers) << row;
+        if (dithers) continue;
+        EXPECT_TRUE(row["depth"].is_null()) << row;
+        EXPECT_EQ(row["half"], 128);
+        EXPECT_TRUE(row["counterexample"].is_null());
+    }
+}
+
+TEST_F(Program, ProvesThePs2sCountExactModulo256) {
+    const Json rows =
+        Json::parse(run({"prove", "--profile", "ps2", "--arithmetic", "count", "--format", "json"}).out);
+    bool wraps = false;
+    for (const Json& row : rows) {
+        if (row["unit"] != "gs_wrap" || row["bits"] != 8) continue;
+        wraps = true;
+        EXPECT_EQ(row["depth"], 255);
+        EXPECT_EQ(row["counterexample"]["crossings"], std::string(256, 'D'));
+    }
+    EXPECT_TRUE(wraps);
+}
+
+TEST_F(Program, ShowsAShortestCounterexample) {
+    const Outcome text = run({"prove", "--profile", "ideal", "--arithmetic", "double", "--levels", "2",
+                              "--order", "fronts-first"});
+    EXPECT_THAT(text.out, AllOf(HasSubstr("DDDHH"), HasSubstr("64 128 255 255 128 64")));
+}
+
+TEST_F(Program, ProvesWhyAStoreIsRefused) {
+    const Outcome outcome = run({"prove", "--profile", "voodoo1,ps2", "--store", "alpha"});
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("voodoo1 alpha double: refused, the chip lacks destination alpha"),
+                      HasSubstr("ps2 alpha double: refused, the chip lacks blending of destination"),
+                      HasSubstr("[PGS ubershader.comp")));
+}
+
+TEST_F(Program, ProvesNothingOfWidthsThatAUnitLacks) {
+    const std::string file =
+        write("station.toml",
+              "title = \"x\"\ncolour_formats = [\"5551\", \"4444\"]\nalpha_bits = 1\n"
+              "blend_writes_alpha = true\nalpha_source_factors = [\"one\"]\n"
+              "alpha_destination_factors = [\"one\"]\nsource_factors = [\"one\"]\n"
+              "destination_factors = [\"one\"]\n"
+              "blend_equations = [\"add\", \"reverse_subtract\"]\nblend_units = [\"psx\"]\n");
+    const Outcome outcome = run(
+        {"prove", "--profile", file, "--store", "screen,alpha", "--arithmetic", "count", "--format", "json"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    const Json rows = Json::parse(outcome.out);
+    ASSERT_EQ(rows.size(), 3u);
+    EXPECT_EQ(rows[0]["bits"], 5);
+    EXPECT_TRUE(rows[0].contains("depth"));
+    EXPECT_EQ(rows[1]["refused"], "it in 4 bits of its blend unit psx");
+    EXPECT_EQ(rows[2]["refused"], "a channel of two bits or more");
+}
+
+TEST_F(Program, ProvesInCsvWithAsManyFieldsAsItsHead) {
+    const std::string csv =
+        run({"prove", "--profile", "tnt", "--arithmetic", "count,parity", "--format", "csv"}).out;
+    std::istringstream lines(csv);
+    std::string head, line;
+    std::getline(lines, head);
+    EXPECT_THAT(head, StartsWith("profile,store,format,bits,unit,evidence,dither,arithmetic,order,depth"));
+    while (std::getline(lines, line))
+        EXPECT_EQ(std::count(line.begin(), line.end(), ','), std::count(head.begin(), head.end(), ','))
+            << line;
 }
 
 struct BadArguments {
@@ -190,6 +278,14 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"NearNegative", {"render", "--near", "-1"}, "near"},
         BadArguments{"NearInfinite", {"matrix", "--near", "inf"}, "near"},
         BadArguments{"GroundUnknown", {"render", "--ground", "perhaps"}, "perhaps"},
+        BadArguments{"UnknownProfileToProve", {"prove", "--profile", "voodoo9"}, "'voodoo9' (known: "},
+        BadArguments{
+            "UnknownStoreToProve", {"prove", "--store", "stencil"}, "--store: no such value 'stencil'"},
+        BadArguments{
+            "UnknownArithmeticToProve", {"prove", "--arithmetic", "triple"}, "'triple' (known: double"},
+        BadArguments{"UnknownOrder", {"prove", "--order", "random"}, "--order: no such value 'random'"},
+        BadArguments{"LevelsToProveBeyondTheRange", {"prove", "--levels", "9"}, "--levels: 9"},
+        BadArguments{"LevelsToProveNoNumber", {"prove", "--levels", "two"}, "--levels"},
         BadArguments{"PaperUnknown", {"reproduce", "crow1977"}, "crow1977"},
         BadArguments{"PaperMissing", {"reproduce"}, "paper"},
         BadArguments{"TableUnknown", {"reproduce", "roettger2002", "--table", "2"}, "table 1"},
@@ -266,6 +362,8 @@ TEST_F(Program, PrintsOneJsonArray) {
         {{"plan", "--shade", "black,ambient,attenuated"}, 3},
         {{"plan", "--profile", "voodoo1", "--size", "1024x1024"}, 0},
         {{"profiles"}, 7},
+        {{"prove", "--profile", "voodoo1", "--arithmetic", "parity"}, 2 * 2 * 2},
+        {{"prove", "--profile", "tnt", "--store", "screen,alpha", "--arithmetic", "count"}, 2},
         {{"methods"}, namedMethods().size()},
         {{"scenes"}, 3},
         {{"reproduce", "roettger2002", "--table", "1"}, 8}};

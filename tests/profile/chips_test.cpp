@@ -91,6 +91,40 @@ TEST(Ideal, LacksNothing) {
         EXPECT_EQ(fact.source, "no limits: by definition") << fact.key;
 }
 
+// Arithmetic that nobody has measured must not look as if somebody had.
+TEST_P(EachChip, GradesTheEvidenceForItsBlendUnit) {
+    const Profile profile = chip(GetParam());
+    ASSERT_FALSE(profile.blendUnits.empty());
+    for (const Profile::Fact& fact : profile.facts)
+        if (fact.key == "blend_units" && profile.id != "ideal") {
+            EXPECT_TRUE(fact.grade.has_value());
+        }
+}
+
+TEST(Chips, SayWhoseArithmeticIsGuessed) {
+    const auto grade = [](const char* id) {
+        const Profile profile = chip(id);
+        for (const Profile::Fact& fact : profile.facts)
+            if (fact.key == "blend_units") return fact.grade;
+        return std::optional<Evidence>();
+    };
+    EXPECT_EQ(grade("voodoo1"), Evidence::Emulator);
+    EXPECT_EQ(grade("ps2"), Evidence::Document);
+    EXPECT_EQ(grade("tnt"), Evidence::Guess);
+    EXPECT_EQ(grade("geforce2mx"), Evidence::Guess);
+    EXPECT_EQ(chip("geforce2mx").blendUnit(), BlendUnit::Nv2a);
+    EXPECT_EQ(Profile{}.blendUnit(), BlendUnit::IdealRound);
+}
+
+TEST(Voodoo, DithersWithSubtractionUnlessTold) {
+    for (const char* id : {"voodoo1", "voodoo2", "voodoo3"}) {
+        const auto modes = chip(id).ditherModes;
+        EXPECT_EQ(modes.front(), DitherMode::Matrix4x4Subtract) << id;
+        EXPECT_THAT(modes, Contains(DitherMode::Off));
+        EXPECT_THAT(chip(id).blendUnits, UnorderedElementsAre(BlendUnit::VoodooMame, BlendUnit::Voodoo86Box));
+    }
+}
+
 class EachVoodoo : public testing::TestWithParam<std::string> {};
 
 // The paper's faster variant multiplies destination alpha while it tests depth: twice impossible here.

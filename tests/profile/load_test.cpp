@@ -68,6 +68,19 @@ TEST(LoadProfile, TakesIdFromFileAndLeavesOutWhatIsAbsent) {
     EXPECT_EQ(profile.writeMask, WriteMask::Fixed);
 }
 
+TEST(LoadProfile, ReadsTheChipsArithmeticWithItsGrade) {
+    const Profile profile = load(std::string(kMinimal) +
+                                 "source_factors = [\"one\"]\ndestination_factors = [\"one\"]\n"
+                                 "blend_equations = [\"add\"]\n"
+                                 "blend_units = { value = [\"voodoo_mame\", \"voodoo_86box\"], source = "
+                                 "\"M p. 1\", grade = \"emulator\" }\n"
+                                 "dither_modes = [\"2x2_subtract\", \"off\"]\n");
+    EXPECT_THAT(profile.blendUnits, ElementsAre(BlendUnit::VoodooMame, BlendUnit::Voodoo86Box));
+    EXPECT_THAT(profile.ditherModes, ElementsAre(DitherMode::Matrix2x2Subtract, DitherMode::Off));
+    EXPECT_EQ(profile.facts[4].grade, Evidence::Emulator);
+    EXPECT_EQ(profile.facts[5].grade, std::nullopt);
+}
+
 TEST(LoadProfile, KeepsFactsInFileOrderWithSources) {
     const Profile profile = load(
         "title = \"Chip\"\n"
@@ -244,6 +257,11 @@ INSTANTIATE_TEST_SUITE_P(
                           ":3: unknown key \"sorce\"; did you mean \"source\"?"},
                     Fault{"UnknownInSection", "[culling]\nvalue = true\nalsol = \"N\"\n",
                           ":5: unknown key \"alsol\"; did you mean \"also\"?"},
+                    Fault{"UnknownGrade", "culling = { value = true, grade = \"rumour\" }\n",
+                          ":3: unknown word \"rumour\" in culling's grade (known: recorded, document, "
+                          "emulator, driver, derived, guess)"},
+                    Fault{"UnitWithoutBlending", "blend_units = [\"gs\"]\n",
+                          ":3: blend_units needs blend_equations"},
                     Fault{"NoValue", "\nculling = { source = \"M\" }\n", ":4: culling has no value"},
                     Fault{"UnknownSection", "[texture_unit]\nvalue = 1\n",
                           ":3: unknown key \"texture_unit\"; did you mean \"texture_units\"?"}),
@@ -432,8 +450,9 @@ TEST(LoadProfileErrors, MissTitleAndColourFormats) {
               ":2: colour_formats is empty: leave it out if the chip has none");
     EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"565\", \"565\"]\n"),
               ":2: colour_formats has 565 twice");
-    EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"rgb\"]\n"),
-              ":2: unknown word \"rgb\" in colour_formats (known: 565, 555, 1555, 5551, 4444, 888, 8888)");
+    EXPECT_EQ(
+        errorOf("title = \"Chip\"\ncolour_formats = [\"rgb\"]\n"),
+        ":2: unknown word \"rgb\" in colour_formats (known: 565, 555, 1555, 5551, 4444, 6666, 888, 8888)");
 }
 
 TEST(ProfileIds, AreSortedStemsOfTomlFiles) {

@@ -18,10 +18,12 @@ struct Kind {
 template <class Kind>
 class Words : public testing::Test {};
 
-using Kinds = testing::Types<Kind<BlendFactor, BlendFactor::OneMinusConstantAlpha>,
-                             Kind<BlendEquation, BlendEquation::Max>, Kind<Compare, Compare::Always>,
-                             Kind<StencilOp, StencilOp::DecrWrap>, Kind<WriteMask, WriteMask::Channel>,
-                             Kind<FrameTexture, FrameTexture::Direct>>;
+using Kinds =
+    testing::Types<Kind<BlendFactor, BlendFactor::OneMinusConstantAlpha>,
+                   Kind<BlendEquation, BlendEquation::Max>, Kind<Compare, Compare::Always>,
+                   Kind<StencilOp, StencilOp::DecrWrap>, Kind<WriteMask, WriteMask::Channel>,
+                   Kind<FrameTexture, FrameTexture::Direct>, Kind<BlendUnit, BlendUnit::Nv2a>,
+                   Kind<DitherMode, DitherMode::Matrix2x2Subtract>, Kind<Evidence, Evidence::Guess>>;
 TYPED_TEST_SUITE(Words, Kinds);
 
 TYPED_TEST(Words, AreReadBackFromTheirNames) {
@@ -32,7 +34,7 @@ TYPED_TEST(Words, AreReadBackFromTheirNames) {
         const auto word = static_cast<Word>(i);
         EXPECT_EQ(fromName<Word>(name(word)), word);
         EXPECT_TRUE(spellings.insert(name(word)).second) << name(word);
-        EXPECT_THAT(name(word), testing::MatchesRegex("[a-z_]+"));
+        EXPECT_THAT(name(word), testing::MatchesRegex("[a-z0-9_]+"));
     }
     EXPECT_EQ(fromName<Word>("no such word"), std::nullopt);
     EXPECT_EQ(fromName<Word>(""), std::nullopt);
@@ -49,6 +51,10 @@ TEST(WordNames, AreOpenGLs) {
     EXPECT_EQ(name(StencilOp::Invert), "invert");
     EXPECT_EQ(name(WriteMask::Group), "group");
     EXPECT_EQ(name(FrameTexture::Host), "host");
+    EXPECT_EQ(name(BlendUnit::Voodoo86Box), "voodoo_86box");
+    EXPECT_EQ(name(BlendUnit::Nv3), "nv3");
+    EXPECT_EQ(name(DitherMode::Matrix4x4Subtract), "4x4_subtract");
+    EXPECT_EQ(name(Evidence::Recorded), "recorded");
 }
 
 TEST(ColourFormats, HaveTheBitsOfTheirNames) {
