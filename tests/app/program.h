@@ -36,8 +36,9 @@ class ProgramTest : public testing::Test {
     }
     ~ProgramTest() override { std::filesystem::remove_all(m_folder); }
 
-    Outcome run(std::vector<std::string> arguments) const {
-        arguments.insert(arguments.begin(), GNOMON_PROGRAM);
+    Outcome run(const std::vector<std::string>& given) const {
+        std::vector<std::string> arguments{GNOMON_PROGRAM};
+        arguments.insert(arguments.end(), given.begin(), given.end());
         const std::string out = m_folder / "stdout", err = m_folder / "stderr";
         const pid_t pid = fork();
         if (pid == 0) {
