@@ -1,33 +1,11 @@
 #include "gl/silhouette_mesh.h"
 
-#include <algorithm>
-#include <tuple>
+#include <span>
+
+#include "volume/adjacency.h"
 
 namespace gnomon {
 namespace {
-
-/// One edge as one triangle walks it.
-struct Walk {
-    std::uint32_t low = 0, high = 0, triangle = 0;
-    std::uint8_t edge = 0;  ///< of the triangle: 0 to 2
-    bool forward = false;   ///< from low to high
-    std::tuple<std::uint32_t, std::uint32_t, bool, std::uint32_t> key() const {
-        return {low, high, !forward, triangle};
-    }
-};
-
-std::vector<Walk> walksOf(const Mesh& mesh) {
-    std::vector<Walk> walks;
-    walks.reserve(3 * mesh.triangles.size());
-    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-        for (std::uint8_t k = 0; k < 3; ++k) {
-            const std::uint32_t from = mesh.triangles[t][k], to = mesh.triangles[t][(k + 1) % 3];
-            walks.push_back({std::min(from, to), std::max(from, to), t, k, from < to});
-        }
-    }
-    std::sort(walks.begin(), walks.end(), [](const Walk& a, const Walk& b) { return a.key() < b.key(); });
-    return walks;
-}
 
 class MeshWriter {
   public:
@@ -41,31 +19,60 @@ class MeshWriter {
         const auto base = std::uint32_t(m_out.vertices.size());
         for (const glm::vec3& p : mesh.positions)
             m_out.vertices.push_back(glm::vec4(p, object.twoSided ? 2.0f : 1.0f));
+        const Adjacency edges = adjacency(mesh.triangles);
         const auto begin = m_out.indices.size();
-        for (const glm::uvec3& t : mesh.triangles) {
-            for (int k = 0; k < 3; ++k) {
-                m_out.indices.push_back(base + t[k]);
-                m_out.indices.push_back(kNone);
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            for (std::uint32_t k = 0; k < 3; ++k) {
+                m_out.indices.push_back(base + mesh.triangles[t][int(k)]);
+                m_out.indices.push_back(acrossSimple(mesh, edges, t, k, base));
             }
         }
-        const auto neighbour = [&](const Walk& w) -> std::uint32_t& {
-            return m_out.indices[begin + 6 * std::size_t(w.triangle) + 2 * w.edge + 1];
-        };
-        const std::vector<Walk> walks = walksOf(mesh);
-        for (auto first = walks.begin(); first != walks.end();) {
-            const auto isOther = [&](const Walk& w) { return w.low != first->low || w.high != first->high; };
-            const auto last = std::find_if(first, walks.end(), isOther);
-            const auto back = std::find_if(first, last, [](const Walk& w) { return !w.forward; });
-            for (auto f = first, b = back; f != back && b != last; ++f, ++b) {
-                neighbour(*f) = base + mesh.triangles[b->triangle][(b->edge + 2) % 3];
-                neighbour(*b) = kHeld;
-            }
-            first = last;
-        }
+        pairCrowded(mesh, edges, base, std::span(m_out.indices).subspan(begin));
     }
 
   private:
     static constexpr std::uint32_t kNone = 0, kHeld = 1;
+
+    /// The corner of @p triangle that is at neither end of the edge.
+    static std::uint32_t corner(const glm::uvec3& triangle, std::uint32_t from, std::uint32_t to) {
+        return triangle.x ^ triangle.y ^ triangle.z ^ from ^ to;
+    }
+
+    /// What edge @p k of triangle @p t sees across it. Of two triangles the one that walks it upwards holds
+    /// it; a crowded edge is held by none yet.
+    static std::uint32_t acrossSimple(const Mesh& mesh, const Adjacency& edges, std::uint32_t t,
+                                      std::uint32_t k, std::uint32_t base) {
+        const std::uint32_t other = edges.across[3 * t + k];
+        if (other == edges.triangles) return kNone;
+        const std::uint32_t from = mesh.triangles[t][int(k)], to = mesh.triangles[t][int(nextCorner(k))];
+        return other == t || from > to ? kHeld : base + corner(mesh.triangles[other], from, to);
+    }
+
+    /// Pairs the triangles at each crowded edge that walk it in opposite directions.
+    static void pairCrowded(const Mesh& mesh, const Adjacency& edges, std::uint32_t base,
+                            std::span<std::uint32_t> indices) {
+        const std::uint32_t* at = edges.crowds.data();
+        std::vector<std::uint32_t> forward, backward;
+        for (const Adjacency::Crowded& edge : edges.crowded) {
+            forward.clear(), backward.clear();
+            for (bool last = false; !last; ++at) {
+                (*at & Adjacency::kBackward ? backward : forward).push_back(*at / 4);
+                last = (*at & Adjacency::kLast) != 0;
+            }
+            const auto across = [&](std::uint32_t triangle, std::uint32_t from) -> std::uint32_t& {
+                std::uint32_t k = 0;
+                while (mesh.triangles[triangle][int(k)] != from) ++k;
+                return indices[6 * std::size_t(triangle) + 2 * k + 1];
+            };
+            for (std::size_t i = 0; i < forward.size(); ++i)
+                across(forward[i], edge.low) =
+                    i < backward.size() ? base + corner(mesh.triangles[backward[i]], edge.low, edge.high)
+                                        : kNone;
+            for (std::size_t i = forward.size(); i < backward.size(); ++i)
+                across(backward[i], edge.high) = kNone;
+        }
+    }
+
     SilhouetteMesh& m_out;
 };
 
