@@ -1,27 +1,12 @@
 #include "gl/depth_map.h"
 
 #include <algorithm>
-#include <limits>
 
+#include "scene/framing.h"
 #include "volume/orient.h"
 
 namespace gnomon {
 namespace {
-
-struct Bounds {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-low};
-};
-
-Bounds boundsOf(const Scene& scene) {
-    Bounds b;
-    for (const Object& object : scene.objects) {
-        for (const glm::vec3& p : object.mesh.positions) {
-            b.low = glm::min(b.low, glm::dvec3(p));
-            b.high = glm::max(b.high, glm::dvec3(p));
-        }
-    }
-    return b;
-}
 
 /// Calls @p visit with the corners of each triangle that casts a shadow of @p light.
 template <class Visit>
@@ -46,9 +31,8 @@ glm::vec3 positionOf(const Scene& scene, const SurfaceOrigin& origin) {
 
 DepthMapFrame pointMap(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
     DepthMapFrame map;
-    const Bounds bounds = boundsOf(scene);
     const glm::dvec3 at(light.position);
-    map.nearPlane = float(1e-3 * glm::length(bounds.high - bounds.low));
+    map.nearPlane = float(2e-3 * boundsOf(scene.objects).radius);
     map.faces.resize(6);
     for (int f = 0; f < 6; ++f) {
         const CubeFace& face = kCubeFaces[f];
@@ -76,14 +60,13 @@ DepthMapFrame pointMap(const Scene& scene, const Light& light, const FrameSurfac
 
 DepthMapFrame directionalMap(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
     DepthMapFrame map;
-    const Bounds bounds = boundsOf(scene);
-    const glm::dvec3 centre = (bounds.low + bounds.high) / 2.0;
-    const double radius = std::max(glm::length(bounds.high - bounds.low) / 2, 1e-30);
+    const Bounds bounds = boundsOf(scene.objects);
+    const double radius = std::max(bounds.radius, 1e-30);
     const glm::dvec3 forward = -glm::normalize(glm::dvec3(light.position));
     const glm::dvec3 side = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 right = glm::normalize(glm::cross(forward, side)), up = glm::cross(right, forward);
     const auto mapped = [&](const glm::vec3& p) {
-        const glm::dvec3 q = (glm::dvec3(p) - centre) / radius;
+        const glm::dvec3 q = (glm::dvec3(p) - bounds.centre) / radius;
         return glm::dvec3(glm::dot(q, right), glm::dot(q, up), glm::dot(q, forward));
     };
     map.faces.resize(1);

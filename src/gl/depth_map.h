@@ -19,7 +19,7 @@ struct DepthMapFrame {
     float nearPlane = 0;  ///< of a point light's faces, world units
 };
 
-/// The faces' axes: face f looks along kCubeAxes[f].forward; x and y of its clip space are the others.
+/// The faces' axes: face f looks along kCubeFaces[f].forward; x and y of its clip space are the others.
 struct CubeFace {
     glm::vec3 forward{}, right{}, up{};
 };
