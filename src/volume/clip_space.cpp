@@ -78,7 +78,7 @@ ClipPolygon ClipSpace::beyond(const Face& face) const {
 ClipPolygon ClipSpace::before(const Face& face, bool flatten) const {
     // Before the near plane: corners, and cut points on edges of the face.
     struct Point {
-        Edge edge{};
+        CornerEdge edge{};
         bool isCut = false;
     };
     Few<Point, 8> points;
@@ -102,7 +102,9 @@ ClipPolygon ClipSpace::before(const Face& face, bool flatten) const {
                                flatten ? -w : static_cast<float>(at.z), w});
         }
         if (isInFront(p) != isInFront(q)) {
-            const Edge edge = p.isCut ? p.edge : q.isCut ? q.edge : Edge{p.edge.from, q.edge.from};
+            const CornerEdge edge = p.isCut   ? p.edge
+                                    : q.isCut ? q.edge
+                                              : CornerEdge{p.edge.from, q.edge.from};
             glm::vec4 cut = eyeCut(edge.from, edge.to);
             if (flatten) cut.z = -0.0f;
             polygon.push_back(cut);

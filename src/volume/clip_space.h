@@ -36,7 +36,7 @@ using Face = Few<Corner, 4>;
 using ClipPolygon = Few<glm::vec4, 8>;
 
 /// An edge of a volume, or the point in which it is cut.
-struct Edge {
+struct CornerEdge {
     Corner from{}, to{};
 };
 

@@ -24,10 +24,10 @@ Faces prism(const ClipSpace& space, const glm::uvec3& t) {
 
 /// The edges of the section of a prism with the plane, in order, so that the section is counter-clockwise
 /// seen from before the plane. @p lift moves the plane away from the eye.
-Few<Edge, 5> section(const ClipSpace& space, const glm::uvec3& triangle, double lift = 0) {
+Few<CornerEdge, 5> section(const ClipSpace& space, const glm::uvec3& triangle, double lift = 0) {
     // Each face that the plane cuts leaves it at one edge and comes back at another.
     struct Cut {
-        Edge enter{}, leave{};
+        CornerEdge enter{}, leave{};
     };
     Few<Cut, 5> cuts;
     for (const Face& face : prism(space, triangle)) {
@@ -47,9 +47,11 @@ Few<Edge, 5> section(const ClipSpace& space, const glm::uvec3& triangle, double 
 
     // The face that enters over an edge follows the face that left over it: the corners beyond the plane are
     // connected, so there is one ring.
-    Few<Edge, 5> ring;
-    const auto isSame = [](const Edge& a, const Edge& b) { return a.from == b.from && a.to == b.to; };
-    Edge at = cuts[0].enter;
+    Few<CornerEdge, 5> ring;
+    const auto isSame = [](const CornerEdge& a, const CornerEdge& b) {
+        return a.from == b.from && a.to == b.to;
+    };
+    CornerEdge at = cuts[0].enter;
     do {
         ring.push_back(at);
         const auto* cut =
@@ -163,7 +165,7 @@ bool touchesNearRectangle(const Scene& scene, const LitCaster& caster, const glm
         if (rectangle.misses(corners)) continue;
         for (const double lift : {0.0, -1e-4 * view.nearPlane, 1e-4 * view.nearPlane}) {
             polygon.clear();
-            for (const Edge& e : section(space, t, lift))
+            for (const CornerEdge& e : section(space, t, lift))
                 polygon.push_back(space.cutPoint(e.from, e.to, lift));
             if (rectangle.meets(polygon)) return true;
         }
@@ -173,7 +175,7 @@ bool touchesNearRectangle(const Scene& scene, const LitCaster& caster, const glm
 
 ClipPolygon nearCap(const ClipSpace& space, const glm::uvec3& triangle) {
     ClipPolygon polygon;
-    for (const Edge& e : section(space, triangle)) polygon.push_back(space.drawnCut(e.from, e.to));
+    for (const CornerEdge& e : section(space, triangle)) polygon.push_back(space.drawnCut(e.from, e.to));
     return polygon;
 }
 
