@@ -40,6 +40,16 @@ inline Scene twoBoxes() {
     return scene;
 }
 
+/// An eye in the shadow of a wide slab, looking at floor in the same shadow.
+inline Scene underASlab() {
+    Scene scene;
+    scene.objects = {placed("floor", gnomon::rectangle({9, 9}), {0, 0, 0}, false),
+                     placed("slab", box({8, 0.2, 8}), {0, 4.1f, 0})};
+    scene.lights = {{.position = {0.3f, 9.7f, 0.2f, 1}}};
+    scene.frames = {{.eye = {0.1f, 1.3f, 1.7f}, .target = {0, 0, 0}, .nearPlane = 0.2f}};
+    return scene;
+}
+
 /// What one frame of a scene with one light is drawn from.
 struct Frame {
     FrameSurfaces surfaces{};

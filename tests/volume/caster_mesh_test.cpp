@@ -23,17 +23,6 @@ struct Case {
     Mesh mesh;
 };
 
-Mesh soup(std::uint32_t vertices, std::uint32_t triangles, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> coordinate(-1, 1);
-    Mesh mesh;
-    for (std::uint32_t i = 0; i < vertices; ++i)
-        mesh.positions.push_back({coordinate(random), coordinate(random), coordinate(random)});
-    for (std::uint32_t i = 0; i < triangles; ++i)
-        mesh.triangles.push_back({random() % vertices, random() % vertices, random() % vertices});
-    return mesh;
-}
-
 /// Vertices on a small grid of integers: many lights lie in planes of faces, many triangles have no area.
 Mesh gridSoup(unsigned seed) {
     Mesh mesh = soup(40, 300, seed);

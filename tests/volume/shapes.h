@@ -51,6 +51,18 @@ inline Mesh blob(const glm::vec3& centre, float radius, int rings, int sectors, 
     return mesh;
 }
 
+/// Triangles of random vertices, of which many share edges and some have no area.
+inline Mesh soup(std::uint32_t vertices, std::uint32_t triangles, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> coordinate(-1, 1);
+    Mesh mesh;
+    for (std::uint32_t i = 0; i < vertices; ++i)
+        mesh.positions.push_back({coordinate(random), coordinate(random), coordinate(random)});
+    for (std::uint32_t i = 0; i < triangles; ++i)
+        mesh.triangles.push_back({random() % vertices, random() % vertices, random() % vertices});
+    return mesh;
+}
+
 inline Scene sceneOf(Mesh mesh) {
     Scene scene;
     scene.objects.push_back({.name = "mesh", .mesh = std::move(mesh)});

@@ -60,17 +60,6 @@ struct Reference {
     }
 };
 
-Mesh soup(std::uint32_t vertices, std::uint32_t triangles, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<float> coordinate(-1, 1);
-    Mesh mesh;
-    for (std::uint32_t i = 0; i < vertices; ++i)
-        mesh.positions.push_back({coordinate(random), coordinate(random), coordinate(random)});
-    for (std::uint32_t i = 0; i < triangles; ++i)
-        mesh.triangles.push_back({random() % vertices, random() % vertices, random() % vertices});
-    return mesh;
-}
-
 /// Several objects of several components each: closed, open, crowded, two-sided, and one that casts nothing.
 Scene variedScene(unsigned seed) {
     std::mt19937 random(seed);

@@ -4,9 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include <bit>
-#include <map>
-
+#include "balance.h"
 #include "coverage.h"
 #include "cut_lists.h"
 #include "shapes.h"
@@ -39,39 +37,6 @@ World randomWorld(unsigned seed, Silhouette silhouette = Silhouette::Winding, Ca
     w.lit = litCasters(w.scene, w.light, silhouette, caps);
     return w;
 }
-
-/// Edges that aren't walked as often one way as the other.
-class Balance {
-  public:
-    void add(const std::vector<glm::vec4>& triangles) {
-        for (std::size_t i = 0; i < triangles.size(); ++i) {
-            const Bits from = bitsOf(triangles[i]), to = bitsOf(triangles[i % 3 == 2 ? i - 2 : i + 1]);
-            if (from < to) ++m_sum[{from, to}];
-            if (to < from) --m_sum[{to, from}];
-        }
-    }
-    template <class Predicate>
-    int open(Predicate counts) const {
-        int open = 0;
-        for (const auto& [edge, sum] : m_sum)
-            open += counts(pointOf(edge.first)) && counts(pointOf(edge.second)) ? std::abs(sum) : 0;
-        return open;
-    }
-
-  private:
-    using Bits = std::array<std::uint32_t, 4>;
-    static Bits bitsOf(const glm::vec4& p) {
-        Bits bits;
-        for (int k = 0; k < 4; ++k) bits[k] = std::bit_cast<std::uint32_t>(p[k] + 0.0f);
-        return bits;
-    }
-    static glm::vec4 pointOf(const Bits& bits) {
-        glm::vec4 p;
-        for (int k = 0; k < 4; ++k) p[k] = std::bit_cast<float>(bits[k]);
-        return p;
-    }
-    std::map<std::pair<Bits, Bits>, int> m_sum;
-};
 
 TEST(CutVolume, IsClosedToTheBitByItsFourParts) {
     int cut = 0;
