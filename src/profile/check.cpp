@@ -64,6 +64,7 @@ std::vector<Contradiction> contradictions(const Profile& p) {
     rules.needs(p.alphaExcludesDepth, "alpha_excludes_depth", p.depth, "depth_bits");
     rules.needs(p.depth, "depth_bits", !p.depthFunctions.empty(), "depth_functions");
     rules.needs(!p.depthFunctions.empty(), "depth_functions", p.depth, "depth_bits");
+    rules.needs(!p.depthEncodings.empty(), "depth_encodings", p.depth, "depth_bits");
     rules.needs(p.stencilWrap, "stencil_wrap", p.stencilBits > 0, "stencil_bits");
     rules.needs(p.geometryShaders, "geometry_shaders", p.shaders, "shaders");
     rules.needs(p.atomicCounters, "atomic_counters", p.shaders, "shaders");

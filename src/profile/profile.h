@@ -31,7 +31,9 @@ enum class BlendFactor : std::uint8_t {
     ConstantAlpha,
     OneMinusConstantAlpha
 };
-enum class BlendEquation : std::uint8_t { Add, Subtract, ReverseSubtract, Min, Max };
+/// AddWrap is not OpenGL's: the sum keeps its low bits instead of clamping (PS2: COLCLAMP 0; N64: forced
+/// blend).
+enum class BlendEquation : std::uint8_t { Add, Subtract, ReverseSubtract, Min, Max, AddWrap };
 enum class Compare : std::uint8_t { Never, Less, Equal, Lequal, Greater, Notequal, Gequal, Always };
 enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
 
@@ -72,9 +74,29 @@ enum class BlendUnit : std::uint8_t {
     Nv2a
 };
 
-/// How a chip stores a value of 8 bits with fewer: off drops the low bits; the matrices are 3dfx's. With
-/// "subtract", blending first adds about half a step to the destination that it reads.
-enum class DitherMode : std::uint8_t { Off, Matrix4x4, Matrix4x4Subtract, Matrix2x2, Matrix2x2Subtract };
+/// How a chip stores a value of 8 bits with fewer: off drops the low bits; the first four matrices are
+/// 3dfx's. With "subtract", blending first adds about half a step to the destination that it reads. The
+/// others are those of one chip each; N64's noise has no matrix and is left out.
+enum class DitherMode : std::uint8_t {
+    Off,
+    Matrix4x4,
+    Matrix4x4Subtract,
+    Matrix2x2,
+    Matrix2x2Subtract,
+    Gs,  ///< PS2: a signed matrix that the program sets
+    Virge,
+    Psx,
+    RdpMagic,  ///< N64
+    RdpBayer,  ///< N64
+    Ge,        ///< PSP: a signed matrix that the program sets
+};
+
+/// How a chip writes depth down; depth.h has the exact functions.
+enum class DepthEncoding : std::uint8_t {
+    Linear,   ///< z, in equal steps
+    VoodooW,  ///< 3dfx's w-buffer: 4 bits of exponent, 12 of mantissa
+    N64,      ///< 3 bits of exponent, 11 of mantissa
+};
 
 /// What stands behind a fact, best first.
 enum class Evidence : std::uint8_t {
@@ -110,10 +132,12 @@ struct Profile {
     bool blendWritesAlpha = false;              ///< the blender computes destination alpha too
     WriteMask writeMask = WriteMask::Fixed;
     bool depth = false;
-    std::vector<int> depthBits{};        ///< the first is the one that gnomon renders into
-    std::set<Compare> depthFunctions{};  ///< as OpenGL sees them: smaller is nearer
-    int stencilBits = 0;                 ///< 0: no stencil buffer
-    bool stencilWrap = false;            ///< GL_INCR_WRAP and GL_DECR_WRAP
+    std::vector<int> depthBits{};                 ///< the first is the one that gnomon renders into
+    std::vector<DepthEncoding> depthEncodings{};  ///< the first is what gnomon takes; empty: linear
+    std::set<Compare> depthFunctions{};           ///< as OpenGL sees them: smaller is nearer
+    std::set<Compare> alphaFunctions{};           ///< of the alpha test
+    int stencilBits = 0;                          ///< 0: no stencil buffer
+    bool stencilWrap = false;                     ///< GL_INCR_WRAP and GL_DECR_WRAP
     bool twoSidedStencil = false;
 
     // Blending. A pair is allowed if it is the product of the two sets, or listed as a pair.
@@ -124,6 +148,7 @@ struct Profile {
     std::set<BlendFactor> alphaSourceFactors{}, alphaDestinationFactors{};  ///< for the alpha channel
     bool separateAlphaFactors = false;                                      ///< glBlendFuncSeparate
     std::set<BlendEquation> blendEquations{};
+    bool logicOps = false;  ///< glLogicOp, all 16
     /// The chip's own arithmetic: the first is what gnomon takes, further ones where sources disagree or
     /// nobody knows. Empty: none known, and ideal rounding stands in.
     std::vector<BlendUnit> blendUnits{};
@@ -197,8 +222,9 @@ const std::string& name(Compare);
 const std::string& name(StencilOp);
 const std::string& name(WriteMask);
 const std::string& name(FrameTexture);
-const std::string& name(BlendUnit);   ///< "voodoo_mame"
-const std::string& name(DitherMode);  ///< "off", "4x4", "4x4_subtract", "2x2", "2x2_subtract"
-const std::string& name(Evidence);    ///< "recorded"
+const std::string& name(BlendUnit);      ///< "voodoo_mame"
+const std::string& name(DitherMode);     ///< "off", "4x4", "4x4_subtract", "2x2", "2x2_subtract"
+const std::string& name(DepthEncoding);  ///< "linear", "voodoo_w", "n64"
+const std::string& name(Evidence);       ///< "recorded"
 
 }  // namespace gnomon

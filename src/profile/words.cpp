@@ -27,7 +27,8 @@ std::span<const std::string> names<BlendFactor>() {
 
 template <>
 std::span<const std::string> names<BlendEquation>() {
-    static const std::array<std::string, 5> kNames{"add", "subtract", "reverse_subtract", "min", "max"};
+    static const std::array<std::string, 6> kNames{"add", "subtract", "reverse_subtract",
+                                                   "min", "max",      "add_wrap"};
     return kNames;
 }
 
@@ -81,7 +82,15 @@ std::span<const std::string> names<BlendUnit>() {
 
 template <>
 std::span<const std::string> names<DitherMode>() {
-    static const std::array<std::string, 5> kNames{"off", "4x4", "4x4_subtract", "2x2", "2x2_subtract"};
+    static const std::array<std::string, 11> kNames{"off",          "4x4",       "4x4_subtract", "2x2",
+                                                    "2x2_subtract", "gs_4x4",    "virge_4x4",    "psx_4x4",
+                                                    "rdp_magic",    "rdp_bayer", "ge_4x4"};
+    return kNames;
+}
+
+template <>
+std::span<const std::string> names<DepthEncoding>() {
+    static const std::array<std::string, 3> kNames{"linear", "voodoo_w", "n64"};
     return kNames;
 }
 
@@ -126,6 +135,9 @@ const std::string& name(BlendUnit word) {
     return nameOf(word);
 }
 const std::string& name(DitherMode word) {
+    return nameOf(word);
+}
+const std::string& name(DepthEncoding word) {
     return nameOf(word);
 }
 const std::string& name(Evidence word) {

@@ -11,8 +11,7 @@ namespace gnomon {
 
 /// The spellings of all words of one kind, in the order of the enumeration.
 /// @tparam Word  BlendFactor, BlendEquation, Compare, StencilOp, WriteMask, FrameTexture, BlendUnit,
-/// DitherMode or
-///               Evidence
+/// DitherMode, DepthEncoding or Evidence
 template <class Word>
 std::span<const std::string> names();
 

@@ -18,12 +18,12 @@ struct Kind {
 template <class Kind>
 class Words : public testing::Test {};
 
-using Kinds =
-    testing::Types<Kind<BlendFactor, BlendFactor::OneMinusConstantAlpha>,
-                   Kind<BlendEquation, BlendEquation::Max>, Kind<Compare, Compare::Always>,
-                   Kind<StencilOp, StencilOp::DecrWrap>, Kind<WriteMask, WriteMask::Channel>,
-                   Kind<FrameTexture, FrameTexture::Direct>, Kind<BlendUnit, BlendUnit::Nv2a>,
-                   Kind<DitherMode, DitherMode::Matrix2x2Subtract>, Kind<Evidence, Evidence::Guess>>;
+using Kinds = testing::Types<Kind<BlendFactor, BlendFactor::OneMinusConstantAlpha>,
+                             Kind<BlendEquation, BlendEquation::AddWrap>, Kind<Compare, Compare::Always>,
+                             Kind<StencilOp, StencilOp::DecrWrap>, Kind<WriteMask, WriteMask::Channel>,
+                             Kind<FrameTexture, FrameTexture::Direct>, Kind<BlendUnit, BlendUnit::Nv2a>,
+                             Kind<DitherMode, DitherMode::Ge>, Kind<DepthEncoding, DepthEncoding::N64>,
+                             Kind<Evidence, Evidence::Guess>>;
 TYPED_TEST_SUITE(Words, Kinds);
 
 TYPED_TEST(Words, AreReadBackFromTheirNames) {
