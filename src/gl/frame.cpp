@@ -8,7 +8,7 @@
 namespace gnomon {
 namespace {
 
-Rgba rounded(const glm::dvec3& colour) {
+VertexColour rounded(const glm::dvec3& colour) {
     const glm::dvec3 c = glm::clamp(colour, 0.0, 1.0) * 255.0 + 0.5;
     return {std::uint8_t(c.r), std::uint8_t(c.g), std::uint8_t(c.b), 255};
 }
@@ -40,7 +40,7 @@ FrameSurfaces frameSurfaces(const Scene& scene, const View& view) {
     out.background = scene.background;
     for (std::uint32_t o = 0; o < scene.objects.size(); ++o) {
         const Object& object = scene.objects[o];
-        const Rgba ambient = rounded(glm::dvec3(object.colour) * double(scene.ambient));
+        const VertexColour ambient = rounded(glm::dvec3(object.colour) * double(scene.ambient));
         SurfaceCut cut(object.mesh, view);
         for (std::uint32_t t = 0; t < object.mesh.triangles.size(); ++t) {
             for (const SurfacePoint& p : cut.triangles(object.mesh.triangles[t])) {

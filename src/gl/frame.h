@@ -9,7 +9,7 @@
 
 namespace gnomon {
 
-using Rgba = glm::u8vec4;
+using VertexColour = glm::u8vec4;
 
 /// Where a vertex of a frame's surfaces comes from.
 struct SurfaceOrigin {
@@ -23,7 +23,7 @@ struct SurfaceOrigin {
 struct FrameSurfaces {
     std::vector<glm::vec4> positions{};
     std::vector<SurfaceOrigin> origins{};  ///< one per position
-    std::vector<Rgba> ambient{};           ///< the part of the colour that needs no light
+    std::vector<VertexColour> ambient{};   ///< the part of the colour that needs no light
     glm::vec3 background{};
 };
 
@@ -31,8 +31,8 @@ FrameSurfaces frameSurfaces(const Scene& scene, const View& view);
 
 /// The colours that one light gives to a frame's surfaces, one per position.
 struct LightColours {
-    std::vector<Rgba> diffuse{};  ///< the light's part alone
-    std::vector<Rgba> lit{};      ///< with the ambient part
+    std::vector<VertexColour> diffuse{};  ///< the light's part alone
+    std::vector<VertexColour> lit{};      ///< with the ambient part
 };
 
 /// Flat Lambert shading of the seen side, without attenuation by distance; a seen side that faces away gets

@@ -83,36 +83,14 @@ void main() {
 }
 )";
 
-using GetParameter = std::function<void(GLuint, GLenum, GLint*)>;
-using GetLog = std::function<void(GLuint, GLsizei, GLsizei*, GLchar*)>;
-
-void check(const GetParameter& get, const GetLog& log, GLuint object, GLenum what, const char* name) {
-    GLint ok = 0;
-    get(object, what, &ok);
-    if (ok) return;
-    std::array<char, 2000> text{};
-    log(object, GLsizei(text.size()), nullptr, text.data());
-    throw std::runtime_error(fmt::format("program {}: {}", name, text.data()));
-}
-
 }  // namespace
 
-void Programs::use(const char* name, std::initializer_list<Stage> stages) {
+void Programs::use(const char* name, std::initializer_list<ShaderStage> stages) {
     const auto found = m_known.find(m_prefix + name);
     if (found != m_known.end()) {
         m_current = found->second;
     } else {
-        m_current = gl.CreateProgram();
-        for (const Stage& stage : stages) {
-            const GLuint shader = gl.CreateShader(stage.type);
-            gl.ShaderSource(shader, 1, &stage.source, nullptr);
-            gl.CompileShader(shader);
-            check(gl.GetShaderiv, gl.GetShaderInfoLog, shader, GL_COMPILE_STATUS, name);
-            gl.AttachShader(m_current, shader);
-            gl.DeleteShader(shader);
-        }
-        gl.LinkProgram(m_current);
-        check(gl.GetProgramiv, gl.GetProgramInfoLog, m_current, GL_LINK_STATUS, name);
+        m_current = linkProgram(gl, name, stages);
         m_known[m_prefix + name] = m_current;
     }
     gl.UseProgram(m_current);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gl/depth_map.h"
+#include "gl/link_program.h"
 #include "gl/silhouette_mesh.h"
 #include "gl/table.h"
 #include "plan/plan.h"
@@ -32,11 +33,7 @@ class Programs {
     void useNone() { gl.UseProgram(0); }
 
   private:
-    struct Stage {
-        GLenum type = 0;
-        const char* source = nullptr;
-    };
-    void use(const char* name, std::initializer_list<Stage> stages);
+    void use(const char* name, std::initializer_list<ShaderStage> stages);
     GLint uniform(const char* name) const { return gl.GetUniformLocation(m_current, name); }
 
     const GlTable& gl;

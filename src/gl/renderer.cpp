@@ -161,12 +161,12 @@ class PassRunner {
         const bool overMask = pass.program == Program::ShadeCount ||
                               (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
         if (overMask) backdrop(pass.blackBackdrop ? glm::vec3(0) : m_surfaces.background);
-        const std::vector<Rgba> mixed = mixedColours(pass);
-        const std::vector<Rgba>& colours = pass.shading == Shading::Lit ? m_lights(pass.light).colours->lit
-                                           : pass.shading == Shading::Diffuse
-                                               ? m_lights(pass.light).colours->diffuse
-                                           : pass.shading == Shading::Ambient ? m_surfaces.ambient
-                                                                              : mixed;
+        const std::vector<VertexColour> mixed = mixedColours(pass);
+        const std::vector<VertexColour>& colours =
+            pass.shading == Shading::Lit       ? m_lights(pass.light).colours->lit
+            : pass.shading == Shading::Diffuse ? m_lights(pass.light).colours->diffuse
+            : pass.shading == Shading::Ambient ? m_surfaces.ambient
+                                               : mixed;
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(m_surfaces.positions);
         gl.DisableClientState(GL_COLOR_ARRAY);
@@ -174,12 +174,12 @@ class PassRunner {
     }
 
     /// The colours of the shadings that are made of others.
-    std::vector<Rgba> mixedColours(const Pass& pass) const {
+    std::vector<VertexColour> mixedColours(const Pass& pass) const {
         if (pass.shading == Shading::Black)
-            return std::vector<Rgba>(m_surfaces.positions.size(), Rgba(0, 0, 0, 255));
+            return std::vector<VertexColour>(m_surfaces.positions.size(), VertexColour(0, 0, 0, 255));
         if (pass.shading != Shading::HalfDiffuse && pass.shading != Shading::RestDiffuse) return {};
-        std::vector<Rgba> colours = m_lights(pass.light).colours->diffuse;
-        for (Rgba& colour : colours) {
+        std::vector<VertexColour> colours = m_lights(pass.light).colours->diffuse;
+        for (VertexColour& colour : colours) {
             for (int k = 0; k < 3; ++k) {
                 const int half = colour[k] / 2;
                 colour[k] = std::uint8_t(pass.shading == Shading::HalfDiffuse ? half : colour[k] - half);
@@ -193,8 +193,8 @@ class PassRunner {
         static constexpr std::array<glm::vec4, 6> kCorners{
             glm::vec4{-1, -1, 1, 1}, {1, -1, 1, 1}, {1, 1, 1, 1},
             glm::vec4{-1, -1, 1, 1}, {1, 1, 1, 1},  {-1, 1, 1, 1}};
-        std::array<Rgba, 6> colours;
-        colours.fill(Rgba(glm::u8vec3(glm::clamp(background, 0.0f, 1.0f) * 255.0f + 0.5f), 255));
+        std::array<VertexColour, 6> colours;
+        colours.fill(VertexColour(glm::u8vec3(glm::clamp(background, 0.0f, 1.0f) * 255.0f + 0.5f), 255));
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(kCorners);
     }

@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <stdexcept>
 
+#include "gl/emulation.h"
+
 namespace gnomon {
 namespace {
 
@@ -47,6 +49,7 @@ GlTable loadDriver() {
     load(gl.PolygonOffset, "glPolygonOffset");
     load(gl.ClipPlane, "glClipPlane");
     load(gl.Color4f, "glColor4f");
+    load(gl.Rectf, "glRectf");
     load(gl.EnableClientState, "glEnableClientState");
     load(gl.DisableClientState, "glDisableClientState");
     load(gl.VertexPointer, "glVertexPointer");
@@ -62,11 +65,20 @@ GlTable loadDriver() {
     load(gl.CopyTexImage2D, "glCopyTexImage2D");
     load(gl.CopyTexSubImage2D, "glCopyTexSubImage2D");
     load(gl.ActiveTexture, "glActiveTexture");
+    load(gl.TexSubImage2D, "glTexSubImage2D");
+    load(gl.TexStorage2D, "glTexStorage2D");
+    load(gl.TextureView, "glTextureView");
     load(gl.GenFramebuffers, "glGenFramebuffers");
     load(gl.DeleteFramebuffers, "glDeleteFramebuffers");
     load(gl.BindFramebuffer, "glBindFramebuffer");
     load(gl.FramebufferTexture2D, "glFramebufferTexture2D");
     load(gl.DrawBuffer, "glDrawBuffer");
+    load(gl.RenderbufferStorage, "glRenderbufferStorage");
+    load(gl.GenRenderbuffers, "glGenRenderbuffers");
+    load(gl.BindRenderbuffer, "glBindRenderbuffer");
+    load(gl.FramebufferRenderbuffer, "glFramebufferRenderbuffer");
+    load(gl.CheckFramebufferStatus, "glCheckFramebufferStatus");
+    load(gl.ClearBufferuiv, "glClearBufferuiv");
     load(gl.CreateShader, "glCreateShader");
     load(gl.ShaderSource, "glShaderSource");
     load(gl.CompileShader, "glCompileShader");
@@ -82,6 +94,7 @@ GlTable loadDriver() {
     load(gl.DeleteProgram, "glDeleteProgram");
     load(gl.GetUniformLocation, "glGetUniformLocation");
     load(gl.Uniform1i, "glUniform1i");
+    load(gl.Uniform4i, "glUniform4i");
     load(gl.Uniform1f, "glUniform1f");
     load(gl.Uniform4dv, "glUniform4dv");
     load(gl.UniformMatrix3fv, "glUniformMatrix3fv");
@@ -127,19 +140,8 @@ struct Surface::Impl {
     }
 };
 
-BufferFormat bufferFormatOf(const Profile& profile) {
-    const ColourFormat& c = profile.colourFormats.front();
-    BufferFormat format{.red = c.red, .green = c.green, .blue = c.blue, .alpha = c.alpha};
-    if (profile.alphaExcludesDepth) format.alpha = 0;
-    format.depth = profile.depthBits.empty() ? 0 : profile.depthBits.front();
-    format.stencil = profile.stencilBits;
-    if (format.stencil > 0 && format.depth < 24)
-        throw std::runtime_error(
-            fmt::format("{}: OSMesa has no stencil beside {}-bit depth", profile.id, format.depth));
-    return format;
-}
-
-Surface::Surface(const BufferFormat& format, int width, int height) : m_impl(std::make_unique<Impl>()) {
+Surface::Surface(const BufferFormat& format, int width, int height, const ChipArithmetic& chip)
+    : m_impl(std::make_unique<Impl>()) {
     // One thread per process: the matrix runs processes side by side, and thread CPU time then times a frame.
     setenv("LP_NUM_THREADS", "0", 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 0);
@@ -147,13 +149,16 @@ Surface::Surface(const BufferFormat& format, int width, int height) : m_impl(std
     m.format = format;
     m.width = width;
     m.height = height;
-    m.pixels = pixelFormat(format);
+    // An emulated frame lives in buffers of its own; the context's are not drawn to.
+    const bool emulated = needsEmulation(format, chip);
+    const BufferFormat own = emulated ? BufferFormat{.depth = 0, .stencil = 0} : format;
+    m.pixels = pixelFormat(own);
     const int attributes[] = {OSMESA_FORMAT,
                               int(m.pixels.osmesa),
                               OSMESA_DEPTH_BITS,
-                              format.depth,
+                              own.depth,
                               OSMESA_STENCIL_BITS,
-                              format.stencil,
+                              own.stencil,
                               OSMESA_ACCUM_BITS,
                               0,
                               OSMESA_PROFILE,
@@ -171,13 +176,14 @@ Surface::Surface(const BufferFormat& format, int width, int height) : m_impl(std
     const auto getInteger = reinterpret_cast<GetInteger>(OSMesaGetProcAddress("glGetIntegerv"));
     getInteger(GL_DEPTH_BITS, &depth);
     getInteger(GL_STENCIL_BITS, &stencil);
-    if (depth != format.depth || stencil != format.stencil)
+    if (depth != own.depth || stencil != own.stencil)
         throw std::runtime_error(fmt::format("OSMesa gives {} bits of depth and {} of stencil for {} and {}",
-                                             depth, stencil, format.depth, format.stencil));
+                                             depth, stencil, own.depth, own.stencil));
     m.driver.PixelStorei(GL_PACK_ALIGNMENT, 1);
     m.driver.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
     // Dithering is on by default in OpenGL; llvmpipe has none, and a mask must not depend on it.
     m.driver.Disable(GL_DITHER);
+    if (emulated) m.driver = emulate(format, chip, width, height, std::move(m.driver));
 }
 
 Surface::~Surface() = default;

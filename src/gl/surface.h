@@ -6,35 +6,24 @@
 #include <string>
 #include <vector>
 
+#include "gl/buffer_format.h"
+#include "gl/chip_arithmetic.h"
 #include "gl/table.h"
-#include "profile/profile.h"
 
 namespace gnomon {
-
-/// The buffers of a drawing surface, in bits; a chip's own formats, nothing that it lacks.
-struct BufferFormat {
-    int red = 8, green = 8, blue = 8, alpha = 8;
-    int depth = 24;
-    int stencil = 8;
-    auto operator<=>(const BufferFormat&) const = default;
-};
-
-/// The buffers that @p profile gets: its first colour format and depth; destination alpha only where it does
-/// not exclude depth. OSMesa has no stencil beside 16-bit depth: asked for both it would give 24 bits, and
-/// this throws.
-BufferFormat bufferFormatOf(const Profile& profile);
 
 /// An off-screen OpenGL context (OSMesa, llvmpipe) with its buffers, current on the thread that made it.
 /// Owns both; not copyable. The only place that knows of OSMesa.
 class Surface {
   public:
+    /// @param chip  whose arithmetic its draws have; buffers that OSMesa lacks are emulated at any fidelity
     /// @throws std::runtime_error if OSMesa can't give exactly these buffers
-    Surface(const BufferFormat& format, int width, int height);
+    Surface(const BufferFormat& format, int width, int height, const ChipArithmetic& chip = {});
     ~Surface();
     Surface(const Surface&) = delete;
     Surface& operator=(const Surface&) = delete;
 
-    /// The driver's entry points, unrestricted.
+    /// The driver's entry points, unrestricted; with the chip's arithmetic under them where that is emulated.
     const GlTable& driver() const;
     const BufferFormat& format() const;
     int width() const;

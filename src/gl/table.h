@@ -48,6 +48,7 @@ struct GlTable {
     Call<GLfloat, GLfloat> PolygonOffset{};
     Call<GLenum, const GLdouble*> ClipPlane{};
     Call<GLfloat, GLfloat, GLfloat, GLfloat> Color4f{};
+    Call<GLfloat, GLfloat, GLfloat, GLfloat> Rectf{};
     Call<GLenum> EnableClientState{}, DisableClientState{};
     Call<GLint, GLenum, GLsizei, const void*> VertexPointer{}, ColorPointer{}, TexCoordPointer{};
     Call<GLenum, GLint, GLsizei> DrawArrays{};
@@ -62,6 +63,9 @@ struct GlTable {
     Call<GLenum, GLint, GLenum, GLint, GLint, GLsizei, GLsizei, GLint> CopyTexImage2D{};
     Call<GLenum, GLint, GLint, GLint, GLint, GLint, GLsizei, GLsizei> CopyTexSubImage2D{};
     Call<GLenum> ActiveTexture{};
+    Call<GLenum, GLint, GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, const void*> TexSubImage2D{};
+    Call<GLenum, GLsizei, GLenum, GLsizei, GLsizei> TexStorage2D{};
+    Call<GLuint, GLenum, GLuint, GLenum, GLuint, GLuint, GLuint, GLuint> TextureView{};
 
     // Frame buffers of textures
     Call<GLsizei, GLuint*> GenFramebuffers{};
@@ -69,6 +73,12 @@ struct GlTable {
     Call<GLenum, GLuint> BindFramebuffer{};
     Call<GLenum, GLenum, GLenum, GLuint, GLint> FramebufferTexture2D{};
     Call<GLenum> DrawBuffer{};
+    Call<GLenum, GLenum, GLsizei, GLsizei> RenderbufferStorage{};
+    Call<GLsizei, GLuint*> GenRenderbuffers{};
+    Call<GLenum, GLuint> BindRenderbuffer{};
+    Call<GLenum, GLenum, GLenum, GLuint> FramebufferRenderbuffer{};
+    std::function<GLenum(GLenum)> CheckFramebufferStatus{};
+    Call<GLenum, GLint, const GLuint*> ClearBufferuiv{};
 
     // Programs
     std::function<GLuint(GLenum)> CreateShader{};
@@ -85,6 +95,7 @@ struct GlTable {
     Call<GLuint> UseProgram{}, DeleteProgram{};
     std::function<GLint(GLuint, const GLchar*)> GetUniformLocation{};
     Call<GLint, GLint> Uniform1i{};
+    Call<GLint, GLint, GLint, GLint, GLint> Uniform4i{};
     Call<GLint, GLfloat> Uniform1f{};
     Call<GLint, GLsizei, const GLdouble*> Uniform4dv{};
     Call<GLint, GLsizei, GLboolean, const GLfloat*> UniformMatrix3fv{};
