@@ -37,6 +37,7 @@ int run(const Options& options) {
     request.frames = parseFrames(options.frames);
     request.profiles = options.profiles.load();
     request.scenes = options.scenes.load();
+    request.fidelities = options.fidelity.value(request.profiles);
     request.jobs = options.jobs;
     for (const Scene& scene : request.scenes) {
         if (framesOf(request, scene).empty())

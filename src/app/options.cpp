@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "profile/words.h"
+
 namespace gnomon {
 namespace {
 
@@ -394,9 +396,47 @@ std::vector<int> parseFrames(const std::vector<std::string>& words) {
 }
 
 void FidelityOption::addTo(CLI::App& app) {
-    app.add_option("--fidelity", word, "gl: the host's blending in the chip's buffer formats")
+    app.add_option("--fidelity", words,
+                   "gl: the host's blending in the chip's buffer formats (default); chip: the chip's own "
+                   "arithmetic, bit for bit")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    app.add_option("--dither", dither,
+                   "fidelity chip: off (where the chip can do without), on (as its driver has it)")
         ->capture_default_str()
-        ->check(CLI::IsMember({"gl"}));
+        ->check(CLI::IsMember({"off", "on"}));
+    app.add_option("--blend-unit", unit,
+                   "fidelity chip: another of the blend units that a profile lists, where sources disagree");
+}
+
+std::vector<FidelityChoice> FidelityOption::value(const std::vector<Profile>& profiles) const {
+    FidelityChoice choice{.dithers = dither == "on"};
+    if (!unit.empty()) {
+        choice.unit = fromName<BlendUnit>(unit);
+        if (!choice.unit)
+            throw UsageError(fmt::format("--blend-unit: no such value '{}' (known: {})", unit,
+                                         fmt::join(names<BlendUnit>(), ", ")));
+        const bool listed = std::any_of(profiles.begin(), profiles.end(), [&](const Profile& p) {
+            return std::find(p.blendUnits.begin(), p.blendUnits.end(), *choice.unit) != p.blendUnits.end();
+        });
+        if (!listed) throw UsageError(fmt::format("--blend-unit: no chosen profile lists {}", unit));
+    }
+    std::vector<FidelityChoice> choices;
+    for (const std::string& word : words) {
+        if (word != "gl" && word != "chip")
+            throw UsageError(fmt::format("--fidelity: no such value '{}' (known: gl, chip)", word));
+        choice.fidelity = word == "chip" ? Fidelity::Chip : Fidelity::Gl;
+        const bool isNew = std::none_of(choices.begin(), choices.end(), [&](const FidelityChoice& c) {
+            return c.fidelity == choice.fidelity;
+        });
+        if (isNew) choices.push_back(choice);
+    }
+    if (choices.empty()) choices.push_back(choice);
+    const bool chip = std::any_of(choices.begin(), choices.end(),
+                                  [](const FidelityChoice& c) { return c.fidelity == Fidelity::Chip; });
+    if (!chip && (choice.dithers || choice.unit))
+        throw UsageError("--dither and --blend-unit are of --fidelity chip");
+    return choices;
 }
 
 }  // namespace gnomon

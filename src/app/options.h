@@ -86,10 +86,13 @@ struct SizeOption {
 /// "0,15" or "0-59"; each a comma list.
 std::vector<int> parseFrames(const std::vector<std::string>& words);
 
-/// --fidelity: only "gl" so far.
+/// --fidelity, and what decides of the chip's arithmetic where there is a choice.
 struct FidelityOption {
-    std::string word = "gl";
+    std::vector<std::string> words{};
+    std::string dither = "off", unit{};
     void addTo(CLI::App& app);
+    /// @throws UsageError for an unknown word, or a blend unit that none of @p profiles has
+    std::vector<FidelityChoice> value(const std::vector<Profile>& profiles) const;
 };
 
 }  // namespace gnomon

@@ -102,6 +102,7 @@ int run(const Options& options) {
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.use(theOnly("--fidelity", options.fidelity.value({profile})));
     const Scene& scene = lab.scene();
     if (options.frame < 0 || options.frame >= int(scene.frames.size()))
         throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));

@@ -1,10 +1,11 @@
 #include "gl/blend_program.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <stdexcept>
 
-#include "profile/pixel.h"
+#include "profile/frame_channel.h"
 
 namespace gnomon {
 namespace {
@@ -340,6 +341,58 @@ std::string storedText(const EmulatedDraw& state, int c, const std::string& valu
     return fmt::format("dithered6({}, cell)", value);
 }
 
+bool readsDestinationAlpha(BlendFactor factor) {
+    return factor == DstAlpha || factor == OneMinusDstAlpha || factor == SrcAlphaSaturate;
+}
+
+/// What the draw makes of each code of channel @p c; empty where that depends on more than the code.
+std::vector<int> codeTable(const EmulatedDraw& state, int c) {
+    const auto side = std::size_t(c == kAlpha);
+    const BlendFactor source = state.source[side], destination = state.destination[side];
+    const bool ownCode =
+        state.constant && state.blends && state.chip.fidelity == Fidelity::Chip &&
+        state.dither == DitherMode::Off && state.equation[side] <= BlendEquation::Max &&
+        !(c != kAlpha && (readsDestinationAlpha(source) || readsDestinationAlpha(destination)));
+    // Constant factors are left to the general form: their colour is the caller's at the draw.
+    if (!ownCode || source >= ConstantColor || destination >= ConstantColor) return {};
+    const BufferFormat& f = state.format;
+    const FrameState frame{.unit = state.chip.unit, .format = {"", f.red, f.green, f.blue, f.alpha}};
+    const BlendState blend{source, destination, BlendOperation(state.equation[side]), {}};
+    std::vector<int> table;
+    for (int code = 0; code <= largestCode(channelBits(f, c)); ++code) {
+        Rgba codes{};
+        codes[std::size_t(c)] = code;
+        const auto result = blendInto(frame, blend, *state.constant, codes);
+        if (!result) return {};
+        table.push_back((*result)[std::size_t(c)]);
+    }
+    return table;
+}
+
+/// The draw's effect on channel @p c as a short expression of its code, if there is one that is equal for all
+/// codes.
+std::optional<std::string> shortForm(const EmulatedDraw& state, int c) {
+    const std::vector<int> table = codeTable(state, c);
+    if (table.empty()) return {};
+    const int most = largestCode(channelBits(state.format, c));
+    const auto is = [&](auto function) {
+        for (int code = 0; code <= most; ++code)
+            if (table[std::size_t(code)] != function(code)) return false;
+        return true;
+    };
+    const std::string code = fmt::format("c{}", c);
+    if (is([&](int v) { return std::min(2 * v, most); }))
+        return fmt::format("min({0} + {0}, {1})", code, most);
+    if (is([](int v) { return v >> 1; })) return fmt::format("{} >> 1", code);
+    if (is([](int v) { return (v + 1) >> 1; })) return fmt::format("({} + 1) >> 1", code);
+    if (is([&](int v) { return most - v; })) return fmt::format("{} - {}", most, code);
+    const int added = table.front(), taken = most - table.back();
+    if (is([&](int v) { return std::min(v + added, most); }))
+        return fmt::format("min({} + {}, {})", code, added, most);
+    if (is([&](int v) { return std::max(v - taken, 0); })) return fmt::format("max({} - {}, 0)", code, taken);
+    return {};
+}
+
 const char* compareText(Compare function) {
     switch (function) {
         case Compare::Never:
@@ -367,7 +420,8 @@ std::string sourceText(const EmulatedDraw& state) {
     std::string text;
     switch (state.from) {
         case FragmentSource::Constant:
-            return "    ivec4 source = constantSource;\n";
+            if (!state.constant) return "    ivec4 source = constantSource;\n";
+            return fmt::format("    ivec4 source = ivec4({});\n", fmt::join(*state.constant, ", "));
         case FragmentSource::Interpolated:
             text = fmt::format(fmt::runtime(toBytes), "gl_Color");
             break;
@@ -489,8 +543,10 @@ std::string fragmentProgram(const EmulatedDraw& state) {
         for (int c = 0; c < 4; ++c) {
             const int bits = channelBits(format, c), shift = channelShift(format, c);
             if (bits == 0 || !(state.channels >> c & 1)) continue;
+            const auto form = shortForm(state, c);
             const std::string code =
-                state.inverts
+                form ? *form
+                : state.inverts
                     ? fmt::format("{} - c{}", largestCode(bits), c)
                     : storedText(state, c, state.blends ? blended(state, c) : fmt::format("s{}", c));
             packed += fmt::format(" | ({}) << {}", code, shift);

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <compare>
+#include <optional>
 #include <string>
 
 #include "gl/pixel_words.h"
@@ -30,6 +31,8 @@ struct EmulatedDraw {
     std::array<BlendEquation, 2> equation{};
     bool inverts = false;  ///< logic operation INVERT, which takes the place of blending
     FragmentSource from = FragmentSource::Constant;
+    /// FragmentSource::Constant: the colour, 8 bits per channel, if the program may be made for it alone.
+    std::optional<std::array<int, 4>> constant{};
     Compare alphaTest = Compare::Always;
     bool writesDepth = false;  ///< the depth that the chip would store, by gl_FragDepth
     int rows = 0;              ///< of the window: dither matrices begin at its top

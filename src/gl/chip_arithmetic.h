@@ -2,6 +2,7 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 
 #include "profile/profile.h"
 
@@ -26,7 +27,15 @@ struct ChipArithmetic {
     auto operator<=>(const ChipArithmetic&) const = default;
 };
 
-/// The arithmetic of @p profile: the first of each of its lists. At Fidelity::Gl all is ideal.
-ChipArithmetic arithmeticOf(const Profile& profile, Fidelity fidelity);
+/// What a user may choose of it; the rest is the profile's.
+struct FidelityChoice {
+    Fidelity fidelity = Fidelity::Gl;
+    bool dithers = false;  ///< as the chip's driver does by default, instead of not at all
+    /// Of chips whose profile lists it; others, and all without it, take the first of their list.
+    std::optional<BlendUnit> unit{};
+};
+
+/// The arithmetic of @p profile. At Fidelity::Gl all is ideal.
+ChipArithmetic arithmeticOf(const Profile& profile, const FidelityChoice& choice);
 
 }  // namespace gnomon

@@ -178,15 +178,19 @@ class Emulation {
             GLuint made = 0;
             gl.GenFramebuffers(1, &made);
             gl.BindFramebuffer(GL_FRAMEBUFFER, made);
-            gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+            if (texture)
+                gl.FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture, 0);
+            else
+                gl.DrawBuffer(GL_NONE);
             if (depth) gl.FramebufferRenderbuffer(GL_FRAMEBUFFER, attachment, GL_RENDERBUFFER, depth);
             if (gl.CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
                 throw std::runtime_error("the driver can't draw to words of a pixel");
             m_driverState.framebuffer = made;
             return made;
         };
-        m_bytes = framebuffer(textures[0]);
-        m_words = bytes ? framebuffer(textures[1]) : m_bytes;
+        // Fixed functions can't draw to words, not even depth.
+        m_bytes = framebuffer(bytes ? textures[0] : 0);
+        m_words = framebuffer(textures[bytes ? 1 : 0]);
         gl.Viewport(0, 0, m_width, m_height);
     }
 
@@ -221,6 +225,11 @@ class Emulation {
         } else if (s.colourArray && channels != 0) {
             state.from = FragmentSource::Interpolated;
         }
+        // A colour of its own costs a program of its own, and makes it faster. Callers that use many get one
+        // that takes any.
+        constexpr std::size_t kMostPrograms = 200;
+        if (state.from == FragmentSource::Constant && m_programs.size() < kMostPrograms)
+            state.constant = bytesOfColour(s.colour);
         return state;
     }
 
@@ -311,7 +320,8 @@ class Emulation {
     const ChipArithmetic m_chip;
     const int m_width, m_height;
     DriverState m_driverState{};
-    GLuint m_bytes = 0, m_words = 0;  ///< frame buffers: the same pixels as RGBA8 (of 8888) and as words
+    GLuint m_bytes = 0;  ///< frame buffer of RGBA8, or of depth and stencil alone where pixels aren't that
+    GLuint m_words = 0;  ///< the same with pixels as words
     std::map<EmulatedDraw, Linked> m_programs{};
 };
 

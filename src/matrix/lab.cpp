@@ -61,13 +61,15 @@ struct VolumeKey {
 
 /// All that a result depends on besides the frame: the buffers, the passes with their states, and how volumes
 /// are built.
-std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes,
+std::string resultKey(const BufferFormat& f, const ChipArithmetic& chip, const Plan& plan, const Axes& axes,
                       const std::vector<VolumeKey>& volumes) {
     std::string key =
         fmt::format("{}.{}.{}.{}.{}.{} {}x{} {}x{} {}x{} {} {} {} {} {}", f.red, f.green, f.blue, f.alpha,
                     f.depth, f.stencil, plan.maskWidth, plan.maskHeight, plan.textureWidth,
                     plan.textureHeight, plan.frameTextureWidth, plan.frameTextureHeight, plan.threshold,
                     plan.shadowShare, plan.mapSize, plan.mapBias, name(plan.clip));
+    key += fmt::format(" {} {} {} {}", name(chip.fidelity), name(chip.unit), name(chip.undithered),
+                       name(chip.depth));
     for (const VolumeKey& v : volumes) {
         key += fmt::format(" {} {} {} {} {} ", name(v.silhouette), name(v.capFaces), name(v.style.clip),
                            v.style.flatten, v.style.offset);
@@ -79,6 +81,20 @@ std::string resultKey(const BufferFormat& f, const Plan& plan, const Axes& axes,
         key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading),
                            pass.light, int(pass.drawn), pass.stencilValue);
     return key;
+}
+
+/// The ties of a chip's depth format (profile/depth.h).
+DepthTies tiesOf(int bits, DepthEncoding encoding) {
+    const double interpolation = depthTies(24).countBand;
+    switch (encoding) {
+        case DepthEncoding::Linear:
+            break;
+        case DepthEncoding::VoodooW:  // 13 bits of near / w, the leading one among them
+            return {std::ldexp(1.0, -28), interpolation, std::ldexp(1.0, -12)};
+        case DepthEncoding::N64:  // 18 bits at most; 11 of what is left to 1, the leading ones taken off
+            return {std::ldexp(1.0, -18), std::ldexp(1.0, -18) + interpolation, std::ldexp(1.0, -11)};
+    }
+    return depthTies(bits);
 }
 
 constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
@@ -98,11 +114,12 @@ struct Lab::Impl {
     explicit Impl(Scene s) : scene(std::move(s)) {}
 
     Scene scene;
+    FidelityChoice fidelity{};
     std::optional<SilhouetteFinder> finder{};
     std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
     std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
         tracers{};  ///< count ties are about the sides that are drawn
-    std::map<std::tuple<BufferFormat, int, int>, std::unique_ptr<Surface>> contexts{};
+    std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
 
     // Of the frame that was asked for last.
@@ -110,11 +127,11 @@ struct Lab::Impl {
     std::optional<FrameSurfaces> surfaces{};
     std::map<std::pair<int, VolumeKey>, std::shared_ptr<const FrameVolumes>> volumes{};
     std::map<int, std::shared_ptr<const LightColours>> colours{};
-    std::map<std::tuple<int, int, Silhouette>, std::shared_ptr<const Truth>>
-        truths{};  ///< by light, depth bits
+    std::map<std::tuple<int, int, DepthEncoding, Silhouette>, std::shared_ptr<const Truth>>
+        truths{};  ///< by light, depth format
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
-    std::map<BufferFormat, double> unshadowed{};
+    std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
     LightFrame current{};
 
@@ -198,23 +215,26 @@ struct Lab::Impl {
         return current;
     }
 
-    std::shared_ptr<const Truth> truthOf(int index, int depthBits, Silhouette silhouette) {
-        return kept(truths, {index, depthBits, silhouette}, [&] {
+    std::shared_ptr<const Truth> truthOf(int index, int depthBits, DepthEncoding encoding,
+                                         Silhouette silhouette) {
+        return kept(truths, {index, depthBits, encoding, silhouette}, [&] {
             const auto& tracer = kept(tracers, {index, silhouette}, [&] {
                 return std::make_shared<Tracer>(scene, light(index), silhouette);
             });
-            return std::make_shared<const Truth>(tracer->trace(view(), depthTies(depthBits)));
+            return std::make_shared<const Truth>(tracer->trace(view(), tiesOf(depthBits, encoding)));
         });
     }
 
-    Surface& contextOf(const BufferFormat& format) {
-        auto& context = contexts[{format, key.width, key.height}];
-        if (!context) context = std::make_unique<Surface>(format, key.width, key.height);
+    Surface& contextOf(const Profile& profile) {
+        const BufferFormat format = bufferFormatOf(profile);
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        auto& context = contexts[{format, chip, key.width, key.height}];
+        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip);
         return *context;
     }
 
-    double unshadowedMs(const Profile& profile, const BufferFormat& format) {
-        auto [at, isNew] = unshadowed.try_emplace(format);
+    double unshadowedMs(const Profile& profile) {
+        auto [at, isNew] = unshadowed.try_emplace({bufferFormatOf(profile), arithmeticOf(profile, fidelity)});
         if (isNew) {
             const Axes none{.store = Store::None};
             const Plan plan = planOf(profile, none);
@@ -223,7 +243,7 @@ struct Lab::Impl {
             };
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
-                at->second = render(contextOf(format), profile, plan, surfacesOf(), frames).cpuMs;
+                at->second = render(contextOf(profile), profile, plan, surfacesOf(), frames).cpuMs;
         }
         return at->second;
     }
@@ -274,8 +294,8 @@ struct Lab::Impl {
     void draw(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
         const BufferFormat format = bufferFormatOf(profile);
-        cell.unshadowedMs = unshadowedMs(profile, format);
-        Surface& surface = contextOf(format);
+        cell.unshadowedMs = unshadowedMs(profile);
+        Surface& surface = contextOf(profile);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
@@ -308,7 +328,8 @@ struct Lab::Impl {
         std::vector<Image> masks, truthPictures;
         std::vector<bool> explained(std::size_t(key.width) * std::size_t(key.height));
         for (int i = 0; i < lights(); ++i) {
-            const auto truth = truthOf(i, format.depth, axes.silhouette);
+            const auto truth =
+                truthOf(i, format.depth, arithmeticOf(profile, fidelity).depth, axes.silhouette);
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
             judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
             if (pictures) {
@@ -361,6 +382,10 @@ const Scene& Lab::scene() const {
     return m_impl->scene;
 }
 
+void Lab::use(const FidelityChoice& choice) {
+    m_impl->fidelity = choice;
+}
+
 Plan Lab::plan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
     m_impl->select({width, height, frame});
     return m_impl->planOf(profile, normalised(axes));
@@ -393,6 +418,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
     cell.width = width, cell.height = height, cell.frame = frame;
     cell.pixels = width * height;
     cell.lights = m_impl->lights();
+    cell.fidelity = name(m_impl->fidelity.fidelity);
     try {
         const Plan plan = m_impl->planOf(profile, axes);
         cell.missing = m_impl->missingOf(profile, axes, plan);
@@ -401,8 +427,8 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             cell.passes = countPasses(plan);
             return cell;
         }
-        const std::string key =
-            resultKey(bufferFormatOf(profile), plan, axes, m_impl->volumeKeys(profile, axes));
+        const std::string key = resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity),
+                                          plan, axes, m_impl->volumeKeys(profile, axes));
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/chip_arithmetic.h"
 #include "gl/renderer.h"
 #include "matrix/cell.h"
 #include "matrix/judge.h"
@@ -33,6 +34,9 @@ class Lab {
     Lab& operator=(const Lab&) = delete;
 
     const Scene& scene() const;
+
+    /// Whose arithmetic cells are drawn with from now on; at first OpenGL's.
+    void use(const FidelityChoice& choice);
 
     /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
     /// @param afterPass  called with the surface after each pass

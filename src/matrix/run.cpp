@@ -33,17 +33,22 @@ void runGroup(const MatrixRequest& request, const Group& group,
         const auto path = lab.path(profile, width, height, group.frame);
         chosen.push_back(path.back().missing.empty() ? methodId(path.back().axes) : "");
     }
-    for (const Axes& axes : request.methods) {
-        for (std::size_t p = 0; p < request.profiles.size(); ++p) {
-            Cell cell = lab.run(request.profiles[p], axes, width, height, group.frame);
-            cell.chosen = cell.method == chosen[p];
-            emit(toJson(cell).dump());
+    for (const FidelityChoice& fidelity : request.fidelities) {
+        lab.use(fidelity);
+        for (const Axes& axes : request.methods) {
+            for (std::size_t p = 0; p < request.profiles.size(); ++p) {
+                Cell cell = lab.run(request.profiles[p], axes, width, height, group.frame);
+                cell.chosen = cell.method == chosen[p];
+                emit(toJson(cell).dump());
+            }
         }
     }
 }
 
-Cell failedCell(const Group& group, const Profile& profile, const Axes& axes, const std::string& error) {
+Cell failedCell(const Group& group, const FidelityChoice& fidelity, const Axes& axes, const Profile& profile,
+                const std::string& error) {
     Cell cell;
+    cell.fidelity = name(fidelity.fidelity);
     cell.profile = profile.id, cell.method = methodId(axes), cell.scene = group.scene->id;
     cell.axes = axes;
     cell.width = group.size.width, cell.height = group.size.height, cell.frame = group.frame;
@@ -68,7 +73,8 @@ std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene) {
 std::vector<Cell> runMatrix(const MatrixRequest& request,
                             const std::function<void(std::size_t, std::size_t)>& progress) {
     const std::vector<Group> groups = groupsOf(request);
-    const std::size_t perGroup = request.methods.size() * request.profiles.size();
+    const std::size_t perFidelity = request.methods.size() * request.profiles.size();
+    const std::size_t perGroup = request.fidelities.size() * perFidelity;
     std::vector<Job> jobs;
     for (const Group& group : groups) {
         jobs.push_back({group.scene->id, [&request, &group](const std::function<void(std::string)>& emit) {
@@ -84,8 +90,9 @@ std::vector<Cell> runMatrix(const MatrixRequest& request,
             if (i < end.lines.size())
                 cell = cellFromJson(nlohmann::ordered_json::parse(end.lines[i]));
             else
-                cell = failedCell(groups[job], request.profiles[i % request.profiles.size()],
-                                  request.methods[i / request.profiles.size()], end.error);
+                cell = failedCell(groups[job], request.fidelities[i / perFidelity],
+                                  request.methods[i % perFidelity / request.profiles.size()],
+                                  request.profiles[i % request.profiles.size()], end.error);
         }
         done += perGroup;
         if (progress) progress(done, cells.size());

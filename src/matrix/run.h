@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "gl/chip_arithmetic.h"
 #include "matrix/cell.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
@@ -22,6 +23,7 @@ struct MatrixRequest {
     /// Frames of the camera path; those beyond a scene's path are left out. Empty: twelve, a twelfth of
     /// the path apart.
     std::vector<int> frames{};
+    std::vector<FidelityChoice> fidelities{{}};
     int jobs = 1;
     int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
 };
@@ -30,8 +32,8 @@ struct MatrixRequest {
 std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene);
 
 /// Runs all cells in request.jobs processes; a crash or a time-out fails the cells that it leaves open, and
-/// no others. The order of cells is that of the request whatever ends first: scenes, sizes, frames, methods,
-/// profiles.
+/// no others. The order of cells is that of the request whatever ends first: scenes, sizes, frames,
+/// fidelities, methods, profiles.
 ///
 /// @param progress  called with done and all cells as they come in
 std::vector<Cell> runMatrix(const MatrixRequest& request,

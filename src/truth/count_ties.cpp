@@ -22,7 +22,8 @@ Tie CountTies::at(const LitTriangle& own, const RayPoint& point, const Beside& b
     // The longest band around the point, cut off far behind it (where it is longer than the scene).
     const double depth = windowDepth(m_view, point.t());
     const double length = glm::length(point.ray().direction);
-    const double longest = m_ties.countBand + (beside.reach > 0 ? kLongestRise : 0);
+    const double band = m_ties.bandAt(depth);
+    const double longest = band + (beside.reach > 0 ? kLongestRise : 0);
     const double first = distanceAtDepth(m_view, std::max(0.0, depth - longest));
     const double last = std::min(distanceAtDepth(m_view, depth + longest),
                                  point.t() + kFarBehind * m_world.edges.reach() / length);
@@ -39,8 +40,8 @@ Tie CountTies::at(const LitTriangle& own, const RayPoint& point, const Beside& b
         const Crossing c = crossSide(side, point.ray());
         const bool isInRange = c.t >= first && c.t <= last;
         const double rise = std::min(kLongestRise, beside.reach * glm::length(c.gradient - gradient));
-        const bool isClose = isInRange && c.miss <= kCorner &&
-                             std::abs(windowDepth(m_view, c.t) - depth) <= m_ties.countBand + rise;
+        const bool isClose =
+            isInRange && c.miss <= kCorner && std::abs(windowDepth(m_view, c.t) - depth) <= band + rise;
         const bool isNear = isClose || (beside.reach > 0 && hangsBeside(side, beside));
         any = any || isNear;
         if (isNear)
@@ -88,7 +89,7 @@ bool CountTies::hangsBeside(const SideEdge& side, const Beside& beside) const {
     const double squared = glm::dot(way, way);
     const double u = squared > 0 ? std::clamp(glm::dot(beside.centre - ends[0], way) / squared, 0.0, 1.0) : 0;
     return glm::distance(beside.centre, ends[0] + u * way) <= beside.reach &&
-           depths[0] + u * (depths[1] - depths[0]) <= beside.farthest + m_ties.countBand;
+           depths[0] + u * (depths[1] - depths[0]) <= beside.farthest + m_ties.bandAt(beside.farthest);
 }
 
 /// How the ray crosses the side: an infinite strip from its edge away from the light.

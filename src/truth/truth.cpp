@@ -106,7 +106,9 @@ class Tracer::Frame {
     EyeRay rayAt(double x, double y) const { return {m_view.eye, rayDirection(m_view, x, y)}; }
 
     /// One quantum of depth at distance @p t.
-    double quantumAt(double t) const { return m_ties.truthQuantum * t * t / m_view.nearPlane; }
+    double quantumAt(double t) const {
+        return m_ties.quantumAt(windowDepth(m_view, t)) * t * t / m_view.nearPlane;
+    }
 
     static Shadow answer(const std::optional<Surface>& surface, bool blocked) {
         if (!surface) return Shadow::Background;

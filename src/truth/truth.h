@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -43,6 +44,11 @@ struct DepthTies {
     /// How far a volume's face may be from the surface and still fall on either side of it, in window depth:
     /// 8 quanta of 24 bit cover llvmpipe's interpolation; one quantum, and that, for 16 bit.
     double countBand = 0;
+    /// Of a floating-point format: its quantum, and what it adds to the band, as a share of 1 - depth.
+    double share = 0;
+
+    double quantumAt(double depth) const { return std::max(truthQuantum, share * (1 - depth)); }
+    double bandAt(double depth) const { return countBand + share * (1 - depth); }
 };
 
 /// The ties of an unsigned-integer depth buffer of @p bits.
