@@ -151,6 +151,28 @@ TEST(Table41SmallCodes, ComeOutOfTheFunctions) {
     for (int code = 0; code < 64; ++code) EXPECT_EQ(once({Ds, 6}, Halve, code), code / 2);
 }
 
+// Rows whose small codes are called exact: every power of two doubles and halves to its neighbour.
+TEST(Table41SmallCodes, AreExactWhereItSaysSo) {
+    for (const FrameChannel& c :
+         {FrameChannel{VoodooMame, 5}, FrameChannel{Voodoo86Box, 5}, FrameChannel{VoodooMame, 6},
+          FrameChannel{Voodoo86Box, 6}, FrameChannel{Gs, 8}, FrameChannel{Gs, 5}, FrameChannel{Psx, 5},
+          FrameChannel{Ge, 8}, FrameChannel{Ge, 5}, FrameChannel{Ge, 4}})
+        for (int code = 1; code < 1 << (c.bits - 1); code *= 2) {
+            EXPECT_EQ(once(c, Double, code), 2 * code) << name(c.unit) << c.bits;
+            EXPECT_EQ(once(c, Halve, 2 * code), code) << name(c.unit) << c.bits;
+        }
+}
+
+// Dreamcast, and Flipper in 8 bits: 2v - 1 from 1 to 127, at either constant for 1/2.
+TEST(Table41SmallCodes, DoubleToOneTooFewOnPowerVr) {
+    for (const BlendUnit unit : {PowerVr, Flipper}) {
+        for (int v = 1; v < 128; ++v) EXPECT_EQ(once({unit, 8}, Double, v), 2 * v - 1);
+        EXPECT_EQ(once({unit, 8}, Double, 0), 0);
+        for (int v = 128; v < 256; ++v) EXPECT_EQ(once({unit, 8}, Double, v), 255);
+        EXPECT_EQ(once({unit, 8}, Double, 1, 127), 1);
+    }
+}
+
 // The rows of table 4.1 that no mask operation stands for.
 TEST(Table41OtherWays, ComeOutOfTheFunctions) {
     // N64 in two cycles: the second adds the missing 1/32 of the frame.
@@ -167,6 +189,9 @@ TEST(Table41OtherWays, ComeOutOfTheFunctions) {
         EXPECT_EQ(modulateGs(from, 0xff), to) << from;
     for (const auto& [from, to] : {std::pair(255, 127), std::pair(128, 64), std::pair(64, 32)})
         EXPECT_EQ(modulateGs(from, 0x40), to) << from;
+    // PSP: twice the source's alpha of 1/2 (the factor 2 SA, on the destination's side) doubles as well.
+    for (const auto& [from, to] : {std::pair(64, 128), std::pair(128, 255), std::pair(255, 255)})
+        EXPECT_EQ(blend(Ge, {0, from, Weight::zero(), Weight::of(2 * 255)}), to) << from;
     // RIVA 128: weights of the destination's own colour.
     for (const auto& [from, to] : {std::pair(31, 16), std::pair(16, 8), std::pair(8, 4), std::pair(1, 0)})
         EXPECT_EQ(blendNv3(16, from, from, false, true), to) << from;
@@ -213,6 +238,7 @@ TEST(Table42, ComesOutOfTheFunctions) {
             for (int code = 1; code <= 1 << (bits - 1); code *= 2)
                 EXPECT_THAT(afterTrips({unit, bits}, Double, Halve, code, 1), ElementsAre(code));
         EXPECT_THAT(afterTrips({unit, 5}, Halve, Double, 31, 1), ElementsAre(31));
+        EXPECT_THAT(afterTrips({unit, 6}, Halve, Double, 63, 1), ElementsAre(63));
         EXPECT_THAT(afterTrips({unit, 5}, Double, Halve, 8, 1, 127), ElementsAre(8));
         EXPECT_THAT(afterTrips({unit, 5}, Double, Halve, 16, 1, 127), ElementsAre(15));
         EXPECT_THAT(afterTrips({unit, 5}, Halve, Double, 31, 1, 127), ElementsAre(30));
@@ -286,7 +312,10 @@ TEST(Section43, AdditiveCountersAreExact) {
     }
     // Nor does a smaller step do on Flipper.
     for (const int step : {1, 2, 3}) {
-        bool always = true;
+        bool always = true, up = true;
+        for (int code = 0; code < 63; ++code)
+            up = up && *blend(Flipper, {step, replicated(code, 6)}) >> 2 == code + 1;
+        EXPECT_FALSE(up) << step;
         for (int code = 1; code < 64; ++code) {
             const auto less = blend(Flipper, {step, replicated(code, 6), Weight::one(), Weight::one(),
                                               BlendOperation::ReverseSubtract});
