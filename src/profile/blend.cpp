@@ -9,29 +9,6 @@ namespace {
 using Kind = Weight::Kind;
 using enum BlendOperation;
 
-int clamped(int value) {
-    return std::clamp(value, 0, 255);
-}
-
-/// Whether @p unit takes any factor for either input.
-bool takesAnyFactor(BlendUnit unit) {
-    switch (unit) {
-        case BlendUnit::IdealRound:
-        case BlendUnit::IdealFloor:
-        case BlendUnit::ProductsRound:
-        case BlendUnit::ProductsFloor:
-        case BlendUnit::VoodooMame:
-        case BlendUnit::Voodoo86Box:
-        case BlendUnit::PowerVr:
-        case BlendUnit::Flipper:
-        case BlendUnit::Ge:
-        case BlendUnit::Nv2a:
-            return true;
-        default:
-            return false;
-    }
-}
-
 bool isGs(BlendUnit unit) {
     return unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
 }
@@ -56,6 +33,7 @@ bool has(BlendUnit unit, BlendOperation operation) {
     switch (unit) {
         case BlendUnit::IdealRound:
         case BlendUnit::IdealFloor:
+            return operation <= Max || operation == AddWrap;
         case BlendUnit::ProductsRound:
         case BlendUnit::ProductsFloor:
             return operation <= Max;
@@ -63,8 +41,12 @@ bool has(BlendUnit unit, BlendOperation operation) {
             return operation <= SignedReverseSubtract;
         case BlendUnit::Ge:
             return operation <= Max || operation == AbsoluteDifference;
+        case BlendUnit::Gs:
+        case BlendUnit::GsWrap:
+            return operation <= ReverseSubtract || operation == AddWrap;
+        case BlendUnit::Rdp:
+            return operation == Add || operation == AddWrap;
         case BlendUnit::Flipper:
-            return operation == Add || operation == ReverseSubtract;
         case BlendUnit::Psx:
             return operation == Add || operation == ReverseSubtract;
         default:
@@ -107,8 +89,6 @@ Number combined(BlendOperation operation, Number s, Number d) {
             return s - d;
         case ReverseSubtract:
             return d - s;
-        case AbsoluteDifference:
-            return std::abs(s - d);
         default:
             return s + d;
     }
@@ -125,7 +105,7 @@ int blendIdeal(const ChannelBlend& c, bool nearest, bool eachProduct) {
                                           c.destination * g.numerator * f.denominator);
         result = rounded(sum, f.denominator * g.denominator, nearest);
     }
-    return static_cast<int>(std::clamp<std::int64_t>(result, 0, c.most));
+    return static_cast<int>(result);
 }
 
 /// What the chip multiplies by: @p one for 1, @p value(v) for a value, @p complement(v) for 1 - v.
@@ -149,7 +129,7 @@ int blendVoodooMame(const ChannelBlend& c) {
         return factorOf(
             weight, 256, [](int v) { return v + 1; }, [](int v) { return 256 - v; });
     };
-    return clamped((c.source * factor(c.sourceWeight) + c.destination * factor(c.destinationWeight)) >> 8);
+    return (c.source * factor(c.sourceWeight) + c.destination * factor(c.destinationWeight)) >> 8;
 }
 
 int blendVoodoo86Box(const ChannelBlend& c) {
@@ -157,8 +137,7 @@ int blendVoodoo86Box(const ChannelBlend& c) {
         return factorOf(
             weight, 255, [](int v) { return v; }, [](int v) { return 255 - v; });
     };
-    return clamped(c.source * factor(c.sourceWeight) / 255 +
-                   c.destination * factor(c.destinationWeight) / 255);
+    return c.source * factor(c.sourceWeight) / 255 + c.destination * factor(c.destinationWeight) / 255;
 }
 
 /// Dreamcast's and Flipper's: 255 counts as 256 in a factor.
@@ -167,50 +146,73 @@ int blendPowerVr(const ChannelBlend& c) {
     const auto factor = [&](const Weight& weight) {
         return factorOf(weight, 256, widened, [&](int v) { return widened(255 - v); });
     };
-    return clamped((c.source * factor(c.sourceWeight) + c.destination * factor(c.destinationWeight)) >> 8);
+    return (c.source * factor(c.sourceWeight) + c.destination * factor(c.destinationWeight)) >> 8;
 }
 
 int blendGe(const ChannelBlend& c) {
     const auto product = [](int colour, const Weight& weight) {
         const int factor = factorOf(
-            weight, 255, [](int v) { return v; }, [](int v) { return std::max(255 - v, 0); });
-        return ((2 * colour + 1) * (2 * factor + 1)) >> 10;
+            weight, 255, [](int v) { return v; }, [](int v) { return 255 - v; });
+        const int size = ((2 * colour + 1) * (2 * std::abs(factor) + 1)) >> 10;
+        return factor < 0 ? -size : size;
     };
-    return clamped(combined(c.operation, product(c.source, c.sourceWeight),
-                            product(c.destination, c.destinationWeight)));
+    return combined(c.operation, product(c.source, c.sourceWeight),
+                    product(c.destination, c.destinationWeight));
 }
 
 int blendNv2a(const ChannelBlend& c) {
     const int asSigned = c.source < 128 ? c.source : c.source - 256;
-    if (c.operation == SignedAdd) return clamped(c.destination + asSigned);
-    if (c.operation == SignedReverseSubtract) return clamped(c.destination - asSigned);
+    if (c.operation == SignedAdd) return c.destination + asSigned;
+    if (c.operation == SignedReverseSubtract) return c.destination - asSigned;
     return blendIdeal(c, true, false);
 }
 
-/// The setting of the PS2 for a pair of weights; none if it needs two coefficients, or both inputs whole and
-/// one more time.
-std::optional<GsBlend> settingOf(const Weight& source, const Weight& destination) {
+/// What the PS2 multiplies an input by: ofCoefficient * C + ofOne.
+struct GsShare {
+    int ofCoefficient = 0, ofOne = 0;
+    bool operator==(const GsShare&) const = default;
+};
+
+GsShare shareOf(const Weight& weight, int sign) {
+    switch (weight.kind) {
+        case Kind::Zero:
+            return {};
+        case Kind::One:
+            return {0, sign};
+        case Kind::Value:
+            return {sign, 0};
+        case Kind::Complement:
+            return {-sign, sign};
+    }
+    return {};
+}
+
+/// The first setting of the PS2 that is what OpenGL asks for; all such settings have one value. None if it
+/// needs two coefficients, or an input more often than A, B and D hold it.
+std::optional<GsBlend> settingOf(const ChannelBlend& c) {
     using enum GsInput;
-    const auto isWhole = [](const Weight& w) { return w.kind == Kind::Zero || w.kind == Kind::One; };
-    const auto coefficient = [](const Weight& w) { return (2 * w.value * 128 + w.unit) / (2 * w.unit); };
-    if (isWhole(source) && isWhole(destination)) {
-        const bool s = source.kind == Kind::One, d = destination.kind == Kind::One;
-        return GsBlend{s ? Source : Zero, Zero, 128, d ? Destination : Zero};
-    }
-    if (!isWhole(source) && !isWhole(destination)) {
-        if (source.kind == destination.kind || source.value != destination.value) return {};
-        const bool forward = source.kind == Kind::Value;
-        return forward ? GsBlend{Source, Destination, coefficient(source), Destination}
-                       : GsBlend{Destination, Source, coefficient(source), Source};
-    }
-    const bool sourceVaries = !isWhole(source);
-    const Weight& varying = sourceVaries ? source : destination;
-    const Weight& whole = sourceVaries ? destination : source;
-    const GsInput first = sourceVaries ? Source : Destination, other = sourceVaries ? Destination : Source;
-    if (varying.kind == Kind::Value)
-        return GsBlend{first, Zero, coefficient(varying), whole.kind == Kind::One ? other : Zero};
-    if (whole.kind == Kind::One) return {};
-    return GsBlend{Zero, first, coefficient(varying), first};
+    const auto varies = [](const Weight& w) { return w.kind == Kind::Value || w.kind == Kind::Complement; };
+    const Weight& varying = varies(c.sourceWeight) ? c.sourceWeight : c.destinationWeight;
+    if (varies(c.sourceWeight) && varies(c.destinationWeight) &&
+        (c.sourceWeight.value != c.destinationWeight.value ||
+         c.sourceWeight.unit != c.destinationWeight.unit))
+        return {};
+    const int coefficient =
+        varies(varying) ? (2 * varying.value * 128 + varying.unit) / (2 * varying.unit) : 128;
+    const GsShare source = shareOf(c.sourceWeight, c.operation == ReverseSubtract ? -1 : 1);
+    const GsShare destination = shareOf(c.destinationWeight, c.operation == Subtract ? -1 : 1);
+    for (const GsInput a : {Source, Destination, Zero})
+        for (const GsInput b : {Source, Destination, Zero})
+            for (const GsInput d : {Source, Destination, Zero}) {
+                const auto shareIn = [&](GsInput input) {
+                    const int times = int(a == input) - int(b == input), once = int(d == input);
+                    // A fixed coefficient of 1 is as good as no coefficient.
+                    return varies(varying) ? GsShare{times, once} : GsShare{0, times + once};
+                };
+                if (shareIn(Source) == source && shareIn(Destination) == destination)
+                    return GsBlend{a, b, coefficient, d};
+            }
+    return {};
 }
 
 bool isAlphaAndComplement(const ChannelBlend& c) {
@@ -228,14 +230,15 @@ std::optional<int> blendFixed(BlendUnit unit, const ChannelBlend& c) {
     switch (unit) {
         case BlendUnit::Gs:
         case BlendUnit::GsWrap: {
-            const auto setting = settingOf(c.sourceWeight, c.destinationWeight);
+            const auto setting = settingOf(c);
             if (!setting) return {};
-            return blendGs(*setting, c.source, c.destination, unit == BlendUnit::Gs);
+            return sumGs(*setting, c.source, c.destination);
         }
         case BlendUnit::Virge:
             if (!isAlphaAndComplement(c)) return {};
             return (c.source * alpha + c.destination * (255 - alpha)) / 255;
         case BlendUnit::Rdp:
+            if (c.operation == AddWrap && isOneAndOne(c)) return blendRdp(c.source, 31, c.destination, 31);
             if (!isAlphaAndComplement(c)) return {};
             return blendRdp(c.source, alpha >> 3, c.destination, 31 - (alpha >> 3));
         case BlendUnit::Nv3:
@@ -257,11 +260,40 @@ std::optional<int> blendFixed(BlendUnit unit, const ChannelBlend& c) {
 
 }  // namespace
 
+BlendOperation operationOf(BlendEquation equation) {
+    switch (equation) {
+        case BlendEquation::Add:
+            return Add;
+        case BlendEquation::Subtract:
+            return Subtract;
+        case BlendEquation::ReverseSubtract:
+            return ReverseSubtract;
+        case BlendEquation::Min:
+            return Min;
+        case BlendEquation::Max:
+            return Max;
+        case BlendEquation::AddWrap:
+            return AddWrap;
+    }
+    return Add;
+}
+
 std::optional<int> blend(BlendUnit unit, const ChannelBlend& c) {
+    const auto sum = blendUnclamped(unit, c);
+    if (!sum) return {};
+    return finished(unit, c.operation, *sum, c.most);
+}
+
+int finished(BlendUnit unit, BlendOperation operation, int sum, int most) {
+    const bool wraps = operation == AddWrap || unit == BlendUnit::GsWrap;
+    return wraps ? sum & most : std::clamp(sum, 0, most);
+}
+
+std::optional<int> blendUnclamped(BlendUnit unit, const ChannelBlend& c) {
     if (!has(unit, c.operation)) return {};
     if (c.operation == Min) return std::min(c.source, c.destination);
     if (c.operation == Max) return std::max(c.source, c.destination);
-    if (!takesAnyFactor(unit)) return blendFixed(unit, c);
+    if (c.operation == AbsoluteDifference) return std::abs(c.source - c.destination);
     switch (unit) {
         case BlendUnit::IdealRound:
         case BlendUnit::IdealFloor:
@@ -274,7 +306,7 @@ std::optional<int> blend(BlendUnit unit, const ChannelBlend& c) {
         case BlendUnit::Voodoo86Box:
             return blendVoodoo86Box(c);
         case BlendUnit::Flipper:
-            if (c.operation == ReverseSubtract) return clamped(c.destination - c.source);
+            if (c.operation == ReverseSubtract) return c.destination - c.source;
             return blendPowerVr(c);
         case BlendUnit::PowerVr:
             return blendPowerVr(c);
@@ -283,7 +315,7 @@ std::optional<int> blend(BlendUnit unit, const ChannelBlend& c) {
         case BlendUnit::Nv2a:
             return blendNv2a(c);
         default:
-            return {};
+            return blendFixed(unit, c);
     }
 }
 
@@ -331,31 +363,42 @@ Weight weightOf(BlendUnit unit, BlendFactor factor, const Rgba& source, const Rg
     return {};
 }
 
-std::optional<Rgba> blendPixel(BlendUnit unit, const BlendState& state, const Rgba& source,
-                               const Rgba& destination) {
+std::optional<Rgba> blendPixelUnclamped(BlendUnit unit, const BlendState& state, const Rgba& source,
+                                        const Rgba& destination) {
     if (isGs(unit) && (isBeyondGs(state.source) || isBeyondGs(state.destination))) return {};
     Rgba out{};
     for (std::size_t c = 0; c < out.size(); ++c) {
         const auto weight = [&](BlendFactor factor) {
             return weightOf(unit, factor, source, destination, state.constant, static_cast<int>(c));
         };
-        const std::optional<int> value = blend(unit, {.source = source[c],
-                                                      .destination = destination[c],
-                                                      .sourceWeight = weight(state.source),
-                                                      .destinationWeight = weight(state.destination),
-                                                      .operation = state.operation});
+        const std::optional<int> value = blendUnclamped(unit, {.source = source[c],
+                                                               .destination = destination[c],
+                                                               .sourceWeight = weight(state.source),
+                                                               .destinationWeight = weight(state.destination),
+                                                               .operation = state.operation});
         if (!value) return {};
         out[c] = *value;
     }
     return out;
 }
 
-int blendGs(const GsBlend& setting, int source, int destination, bool clamps) {
+std::optional<Rgba> blendPixel(BlendUnit unit, const BlendState& state, const Rgba& source,
+                               const Rgba& destination) {
+    auto out = blendPixelUnclamped(unit, state, source, destination);
+    if (out)
+        for (int& value : *out) value = finished(unit, state.operation, value);
+    return out;
+}
+
+int sumGs(const GsBlend& setting, int source, int destination) {
     const std::array inputs{source, destination, 0};
     const auto valueOf = [&](GsInput input) { return inputs[static_cast<std::size_t>(input)]; };
-    const int sum =
-        ((valueOf(setting.a) - valueOf(setting.b)) * setting.coefficient >> 7) + valueOf(setting.d);
-    return clamps ? clamped(sum) : sum & 255;
+    return ((valueOf(setting.a) - valueOf(setting.b)) * setting.coefficient >> 7) + valueOf(setting.d);
+}
+
+int blendGs(const GsBlend& setting, int source, int destination, bool clamps) {
+    const int sum = sumGs(setting, source, destination);
+    return clamps ? std::clamp(sum, 0, 255) : sum & 255;
 }
 
 int modulateGs(int texel, int fragment) {

@@ -12,8 +12,8 @@ namespace gnomon {
 // hardware.md; nobody has published the rounding of most chips, and the ideal and product units are then what
 // bounds it.
 
-/// What a blend unit does with its two inputs: OpenGL's equations, in their order, and the signed sums of
-/// NV2A. PSP's absolute difference stands with them.
+/// What a blend unit does with its two inputs: OpenGL's equations, in their order, and what single chips have
+/// besides.
 enum class BlendOperation : std::uint8_t {
     Add,
     Subtract,
@@ -22,8 +22,12 @@ enum class BlendOperation : std::uint8_t {
     Max,
     SignedAdd,              ///< D plus S as two's complement, factors ignored (nv2a.md)
     SignedReverseSubtract,  ///< D minus S as two's complement, factors ignored (nv2a.md)
-    AbsoluteDifference,     ///< of the two products (section 2.14, PPSSPP)
+    AbsoluteDifference,     ///< of source and destination, factors ignored (PPSSPP DrawPixel.cpp)
+    AddWrap,                ///< the sum's low bits: PS2 with COLCLAMP 0, N64's forced blend
 };
+
+/// The operation that a profile calls @p equation.
+BlendOperation operationOf(BlendEquation equation);
 
 /// What one input is multiplied by: zero, one, value / unit, or 1 - value / unit. The kind matters: chips
 /// treat a factor of one otherwise than a value that happens to be largest.
@@ -51,26 +55,39 @@ struct ChannelBlend {
 /// The value, 0..most, that @p unit computes; none if it has no such combination of factors or no such
 /// operation. Whether a chip offers a combination is the profile's matter: this is arithmetic.
 ///
-/// ideal_*      sum of both products, exact, then rounded once: nearest (halves up) or down; clamped. OpenGL.
+/// ideal_*      sum of both products, exact, then rounded once: nearest (halves up) or down; clamped, or by
+///              add_wrap modulo most + 1. OpenGL. No signed sums, no absolute difference.
 /// products_*   each product rounded by itself, then added: the envelope for chips that nobody has measured.
-/// voodoo_mame  (S f + D g) >> 8, f = v + 1, 256 - v, 256 or 0; clamped. Section 2.1 (MAME).
-/// voodoo_86box S f / 255 + D g / 255, each cut; clamped. Section 2.1 (86V).
-/// gs           ((A - B) C >> 7) + D, 128 is 1; clamped, or gs_wrap: the low 8 bits. Section 2.5 (PS2TEK).
-/// One
-///              coefficient for both factors, weights in the nearest 1/128: see blendGs() for all that it
-///              does.
-/// powervr      (S u(f) + D u(g)) >> 8, u = v + (v >> 7); at most 255. Section 2.9 (REFSW).
+///              OpenGL's five operations.
+/// voodoo_mame  (S f + D g) >> 8, f = v + 1, 256 - v, 256 or 0; clamped. Section 2.1 (MAME). Add only.
+/// voodoo_86box S f / 255 + D g / 255, each cut; clamped. Section 2.1 (86V). Add only.
+/// gs           ((A - B) C >> 7) + D, 128 is 1; clamped, or by add_wrap (COLCLAMP 0) the low 8 bits; gs_wrap
+///              always wraps. Section 2.5 (PS2TEK). One coefficient, in the nearest 1/128, for both factors.
+///              All pairs that some A, B, D give; add, add_wrap, and the differences where A - B has the
+///              sign: "one one" and "src_alpha one" have reverse_subtract, "one src_alpha" has not.
+/// powervr      (S u(f) + D u(g)) >> 8, u = v + (v >> 7); at most 255. Section 2.9 (REFSW). Add only.
 /// flipper      the same; reverse subtraction is D - S without factors. Section 2.12 (DOLPHIN).
-/// ge           ((2c + 1)(2f + 1)) >> 10 for each product; factors up to 510. Section 2.14 (PPSSPP).
-/// virge        (S a + D (255 - a)) / 255, cut. Section 2.15 (86VIRGE).
-/// nv2a         the sum rounded once to the nearest. nv2a.md (recorded on a console, 0 differences).
-/// rdp, nv3, ds, psx: fixed multiplexers, see their own functions below; here only what OpenGL can say of
-/// them:
-///              rdp  alpha with its complement, both cut to 5 bits; the sum wraps. Section 2.10 (ANGRY).
+/// ge           ((2c + 1)(2f + 1)) >> 10 for each product; factors up to 510, and 255 - f, which may be
+///              negative: the product of its size is then taken away. Section 2.14 (PPSSPP: Rasterizer.cpp,
+///              from a probe of the chip). OpenGL's operations and the absolute difference.
+/// virge        (S a + D (255 - a)) / 255, cut: alpha with its complement. Section 2.15 (86VIRGE). Add only.
+/// nv2a         the sum rounded once to the nearest. nv2a.md (recorded on a console, 0 differences). All but
+///              add_wrap and the absolute difference.
+/// rdp, nv3, ds, psx: fixed multiplexers, see their own functions below; here only what OpenGL can say:
+///              rdp  add: alpha with its complement, both cut to 5 bits. add_wrap: one and one, which is
+///                   (31 S + 32 D) >> 5 and its low 8 bits; the chip has no sum that clamps. Section 2.10
+///                   (ANGRY).
 ///              nv3  on the top 5 bits: one and one, or alpha with its complement. Section 2.6 (ENVY).
 ///              ds   on the top 6 bits: alpha with its complement. Section 2.21 (MELON).
 ///              psx  on the top 5 bits: one and one, added or subtracted. Section 2.11 (PSXSPX, DUCK).
 std::optional<int> blend(BlendUnit unit, const ChannelBlend& channel);
+
+/// The same before the last clamp or wrap, which dithering precedes on the PS2 and the PSP; of the fixed
+/// multiplexers, the value itself.
+std::optional<int> blendUnclamped(BlendUnit unit, const ChannelBlend& channel);
+
+/// What blend() makes of blendUnclamped(): the low bits, or 0..most.
+int finished(BlendUnit unit, BlendOperation operation, int sum, int most = 255);
 
 /// Red, green, blue, alpha.
 using Rgba = std::array<int, 4>;
@@ -83,7 +100,8 @@ struct BlendState {
 };
 
 /// The weight of channel @p channel (0..3) that @p factor is. The saturating factor is min(As, 1 - Ad), 1 for
-/// alpha; MAME's Voodoo takes 256 - Ad there. The PS2's alphas are 1 at 128.
+/// alpha; MAME's Voodoo takes min(As, 256 - Ad) there (mamedev/mame : src/devices/video/voodoo_render.cpp,
+/// alpha_blend(), ASATURATE; it adds 1 as to any value). The PS2's alphas are 1 at 128.
 Weight weightOf(BlendUnit unit, BlendFactor factor, const Rgba& source, const Rgba& destination,
                 const Rgba& constant, int channel);
 
@@ -91,6 +109,10 @@ Weight weightOf(BlendUnit unit, BlendFactor factor, const Rgba& source, const Rg
 /// for factors.
 std::optional<Rgba> blendPixel(BlendUnit unit, const BlendState& state, const Rgba& source,
                                const Rgba& destination);
+
+/// The same of blendUnclamped().
+std::optional<Rgba> blendPixelUnclamped(BlendUnit unit, const BlendState& state, const Rgba& source,
+                                        const Rgba& destination);
 
 /// An input of the PS2's blend unit.
 enum class GsInput : std::uint8_t { Source, Destination, Zero };
@@ -106,10 +128,42 @@ struct GsBlend {
 /// goes this way: what is written is the source's.
 int blendGs(const GsBlend& setting, int source, int destination, bool clamps);
 
+/// The same before COLCLAMP.
+int sumGs(const GsBlend& setting, int source, int destination);
+
 /// The PS2's texture function MODULATE, with which games counted in alpha by drawing a frame onto itself: 128
-/// is
-/// 1. Section 2.5 (JAK). Clamps at 255.
+/// is 1. Section 2.5 (JAK). Clamps at 255.
 int modulateGs(int texel, int fragment);
+
+/// The PS2's settings of a pixel beside the blend. Section 2.5 (PS2TEK).
+struct GsPixel {
+    bool pabe = false;  ///< blends only where the source's alpha is 0x80 or more
+    bool fba = false;   ///< writes alpha with its top bit set
+    bool date = false;  ///< tests the top bit of destination alpha: draws only where it is datm
+    bool datm = false;
+    Rgba mask{};  ///< FBMSK, 8 bits of each channel: a set bit keeps the destination's
+    bool operator==(const GsPixel&) const = default;
+};
+
+/// PABE: whether a pixel is blended; else the source is written.
+constexpr bool gsBlends(bool pabe, int sourceAlpha) {
+    return !pabe || sourceAlpha >= 0x80;
+}
+
+/// FBA: the alpha that is written, 8 bits.
+constexpr int gsAlpha(bool fba, int alpha) {
+    return fba ? alpha | 0x80 : alpha;
+}
+
+/// FBMSK: (next AND NOT mask) OR (old AND mask), in codes of one width.
+constexpr int gsMasked(int next, int old, int mask) {
+    return (next & ~mask) | (old & mask);
+}
+
+/// DATE: whether a pixel is drawn over a destination alpha of @p bits (8, 1 or 0); without alpha, always.
+constexpr bool gsDatePasses(const GsPixel& pixel, int alphaCode, int bits) {
+    return !pixel.date || bits == 0 || (alphaCode >> (bits - 1) != 0) == pixel.datm;
+}
 
 /// N64, forced blend: (p * a + m * (b + 1)) >> 5 and the low 8 bits; a and b have 5 bits. Section 2.10
 /// (ANGRY).
@@ -126,7 +180,9 @@ int addNv3(int source, int destination);
 /// the source is written as it is). Section 2.21 (MELON).
 int blendDs(int source, int destination, int alpha, bool drawn = true);
 
-/// PlayStation's four blends. Section 2.11 (PSXSPX; DUCK: on 5 bits, halves and quarters cut).
+/// PlayStation's four blends, on 5 bits. Section 2.11 (PSXSPX). The average is the floor of half the sum
+/// (stenzek/duckstation : src/core/gpu_sw_rasterizer.inl; its older gpu_sw.cpp added two cut halves, which is
+/// one less where both are odd); a quarter is cut before it is added.
 enum class PsxBlend : std::uint8_t { Average, Add, Subtract, AddQuarter };
 int blendPsx(PsxBlend mode, int source, int destination);
 

@@ -26,12 +26,25 @@ std::optional<int> applyIdeal(const FrameChannel& channel, MaskOperation operati
             c.source = 1;
             if (operation == Decrement) c.operation = BlendOperation::ReverseSubtract;
             break;
+        case IncrementWrap:
+        case DecrementWrap:
+            c.source = operation == IncrementWrap ? 1 : most;
+            c.operation = BlendOperation::AddWrap;
+            break;
+        case InvertBits:
+            return {};
     }
     return blend(channel.unit, c);
 }
 
+/// A value of 8 bits before its clamp, and whether it wraps instead.
+struct Sum {
+    int value = 0;
+    bool wraps = false;
+};
+
 /// Units that take any factor, on 8 bits.
-std::optional<int> applyByFactors(const FrameChannel& channel, MaskOperation operation, int value, int half) {
+std::optional<Sum> applyByFactors(const FrameChannel& channel, MaskOperation operation, int value, int half) {
     const int one = enteringSource(channel, 255);
     ChannelBlend c{.source = one, .destination = value};
     switch (operation) {
@@ -52,45 +65,59 @@ std::optional<int> applyByFactors(const FrameChannel& channel, MaskOperation ope
             c.source = 1 << (8 - channel.bits);
             if (operation == Decrement) c.operation = BlendOperation::ReverseSubtract;
             break;
+        case IncrementWrap:
+        case DecrementWrap:
+        case InvertBits:
+            return {};
     }
-    return blend(channel.unit, c);
+    const auto sum = blendUnclamped(channel.unit, c);
+    if (!sum) return {};
+    return Sum{*sum};
 }
 
 /// Section 2(a), row of the PS2; the source colour is constant.
-int applyGs(const FrameChannel& channel, MaskOperation operation, int value) {
+std::optional<Sum> applyGs(const FrameChannel& channel, MaskOperation operation, int value) {
     using enum GsInput;
     const int step = 1 << (8 - channel.bits);
-    const bool clamps = channel.unit == BlendUnit::Gs;
     switch (operation) {
         case Double:
-            return blendGs({Destination, Zero, 0x80, Destination}, 0, value, clamps);
+            return Sum{sumGs({Destination, Zero, 0x80, Destination}, 0, value)};
         case Halve:
-            return blendGs({Destination, Zero, 0x40, Zero}, 0, value, clamps);
+            return Sum{sumGs({Destination, Zero, 0x40, Zero}, 0, value)};
         case Invert:
-            return blendGs({Source, Destination, 0x80, Zero}, 255, value, clamps);
+            return Sum{sumGs({Source, Destination, 0x80, Zero}, 255, value)};
         case Increment:
-            return blendGs({Source, Zero, 0x80, Destination}, step, value, clamps);
+            return Sum{sumGs({Source, Zero, 0x80, Destination}, step, value)};
         case Decrement:
-            return blendGs({Zero, Source, 0x80, Destination}, step, value, clamps);
+            return Sum{sumGs({Zero, Source, 0x80, Destination}, step, value)};
+        case IncrementWrap:
+            return Sum{sumGs({Source, Zero, 0x80, Destination}, step, value), true};
+        case DecrementWrap:
+            return Sum{sumGs({Source, Zero, 0x80, Destination}, 256 - step, value), true};
+        case InvertBits:
+            return {};
     }
-    return value;
+    return {};
 }
 
 /// Section 4.3: in 5 bits blend colours 17 and 255 count by two codes up and down, modulo 32.
-std::optional<int> applyRdp(const FrameChannel& channel, MaskOperation operation, int value) {
+std::optional<Sum> applyRdp(const FrameChannel& channel, MaskOperation operation, int value) {
     switch (operation) {
         case Double:
-            return blendRdp(value, 31, value, 31);
+            return Sum{blendRdp(value, 31, value, 31)};
         case Halve:
-            return blendRdp(0, 16, value, 15);
-        case Invert:
-            return {};
+            return Sum{blendRdp(0, 16, value, 15)};
         case Increment:
+        case IncrementWrap:
             if (channel.bits != 5) return {};
-            return blendRdp(17, 31, value, 31);
+            return Sum{blendRdp(17, 31, value, 31)};
         case Decrement:
+        case DecrementWrap:
             if (channel.bits != 5) return {};
-            return blendRdp(255, 31, value, 31);
+            return Sum{blendRdp(255, 31, value, 31)};
+        case Invert:
+        case InvertBits:
+            return {};
     }
     return {};
 }
@@ -107,14 +134,13 @@ std::optional<int> applyPsx(MaskOperation operation, int code) {
             return blendPsx(PsxBlend::Add, code, code);
         case Halve:
             return blendPsx(PsxBlend::Average, 0, code);
-        case Invert:
-            return {};
         case Increment:
             return blendPsx(PsxBlend::Add, 1, code);
         case Decrement:
             return blendPsx(PsxBlend::Subtract, 1, code);
+        default:
+            return {};
     }
-    return {};
 }
 
 }  // namespace
@@ -130,18 +156,37 @@ int readBack(const FrameChannel& channel, int code) {
             break;
     }
     const bool subtracts =
-        channel.dither == DitherMode::Matrix4x4Subtract || channel.dither == DitherMode::Matrix2x2Subtract;
+        dithers(channel.dither, channel.bits) &&
+        (channel.dither == DitherMode::Matrix4x4Subtract || channel.dither == DitherMode::Matrix2x2Subtract);
     return replicated(code, channel.bits) + (subtracts ? ditherSubtraction(channel.bits, channel.cell) : 0);
 }
 
 int enteringSource(const FrameChannel& channel, int value) {
-    if (channel.unit != BlendUnit::Nv2a) return value;
-    return shifted(truncated(value, channel.bits), channel.bits);
+    if (channel.unit == BlendUnit::Nv2a) return shifted(truncated(value, channel.bits), channel.bits);
+    if (channel.dither == DitherMode::Psx && dithers(channel.dither, channel.bits))
+        return shifted(signedDithered(value, channel.bits, channel.cell), channel.bits);
+    return value;
 }
 
-int stored(const FrameChannel& channel, int value) {
-    if (channel.dither != DitherMode::Off) return voodooDithered(value, channel.bits, channel.cell);
-    return truncated(value, channel.bits);
+int stored(const FrameChannel& channel, int value, bool wraps) {
+    const BlendOperation operation = wraps ? BlendOperation::AddWrap : BlendOperation::Add;
+    const DitherMode mode = dithers(channel.dither, channel.bits) ? channel.dither : DitherMode::Off;
+    const bool cellComesFirst = mode == DitherMode::Gs || mode == DitherMode::Ge;
+    const int whole = finished(channel.unit, operation, cellComesFirst ? value + channel.cell : value);
+    switch (mode) {
+        case DitherMode::Virge:
+            return virgeDithered(whole, channel.cell);
+        case DitherMode::RdpMagic:
+        case DitherMode::RdpBayer:
+            return truncated(rdpDithered(whole, channel.cell), channel.bits);
+        case DitherMode::Off:
+        case DitherMode::Gs:
+        case DitherMode::Ge:
+        case DitherMode::Psx:
+            return truncated(whole, channel.bits);
+        default:
+            return voodooDithered(whole, channel.bits, channel.cell);
+    }
 }
 
 std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, const Rgba& source,
@@ -151,7 +196,7 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
     const std::array bits{f.red, f.green, f.blue};
     const auto channelOf = [&](int c) {
         return FrameChannel{frame.unit, bits[static_cast<std::size_t>(c)], frame.dither,
-                            voodooCell(frame.dither, frame.x, frame.y)};
+                            ditherCell(frame.dither, frame.x, frame.y)};
     };
     const auto index = [](int c) { return static_cast<std::size_t>(c); };
 
@@ -169,21 +214,33 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
         destination[kAlpha] = f.alpha == 0 ? 255 : replicated(codes[kAlpha], f.alpha);
 
     // Blend
-    std::optional<Rgba> result = blendPixel(frame.unit, state, entering, destination);
+    std::optional<Rgba> result = blendPixelUnclamped(frame.unit, state, entering, destination);
     if (!result) return {};
-    if (isGs) (*result)[kAlpha] = source[kAlpha];
+    const bool wraps = state.operation == BlendOperation::AddWrap;
+    (*result)[kAlpha] = finished(frame.unit, state.operation, (*result)[kAlpha]);
+    if (isGs) {
+        if (!gsDatePasses(frame.gs, codes[kAlpha], f.alpha)) return codes;
+        if (!gsBlends(frame.gs.pabe, source[kAlpha])) result = entering;
+        (*result)[kAlpha] = gsAlpha(frame.gs.fba, source[kAlpha]);
+    }
 
     // Store
     Rgba out{};
-    for (int c = 0; c < kAlpha; ++c) out[index(c)] = stored(channelOf(c), (*result)[index(c)]);
+    for (int c = 0; c < kAlpha; ++c) out[index(c)] = stored(channelOf(c), (*result)[index(c)], wraps);
     out[kAlpha] = f.alpha == 0 ? 0 : truncated((*result)[kAlpha], f.alpha);
     if (frame.unit == BlendUnit::Ge) out[kAlpha] = codes[kAlpha];
+    if (isGs) {
+        const std::array widths{f.red, f.green, f.blue, f.alpha};
+        for (std::size_t c = 0; c < out.size(); ++c)
+            if (widths[c] > 0) out[c] = gsMasked(out[c], codes[c], truncated(frame.gs.mask[c], widths[c]));
+    }
     return out;
 }
 
 std::optional<int> apply(const FrameChannel& channel, MaskOperation operation, int code, int half) {
+    if (operation == InvertBits) return code ^ largestCode(channel.bits);
     const int value = readBack(channel, code);
-    std::optional<int> result;
+    std::optional<Sum> sum;
     switch (channel.unit) {
         case BlendUnit::IdealRound:
         case BlendUnit::IdealFloor:
@@ -199,23 +256,23 @@ std::optional<int> apply(const FrameChannel& channel, MaskOperation operation, i
             return blendDs(0, code, 15);
         case BlendUnit::Gs:
         case BlendUnit::GsWrap:
-            result = applyGs(channel, operation, value);
+            sum = applyGs(channel, operation, value);
             break;
         case BlendUnit::Rdp:
-            result = applyRdp(channel, operation, value);
+            sum = applyRdp(channel, operation, value);
             break;
         case BlendUnit::Virge:
             if (operation != Halve) return {};
-            result = blend(channel.unit, {.destination = value,
-                                          .sourceWeight = Weight::of(255 - half),
-                                          .destinationWeight = Weight::complement(255 - half)});
+            sum = Sum{*blend(channel.unit, {.destination = value,
+                                            .sourceWeight = Weight::of(255 - half),
+                                            .destinationWeight = Weight::complement(255 - half)})};
             break;
         default:
-            result = applyByFactors(channel, operation, value, half);
+            sum = applyByFactors(channel, operation, value, half);
             break;
     }
-    if (!result) return {};
-    return stored(channel, *result);
+    if (!sum) return {};
+    return stored(channel, sum->value, sum->wraps);
 }
 
 bool takesHalfConstant(BlendUnit unit) {

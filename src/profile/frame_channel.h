@@ -13,20 +13,25 @@ namespace gnomon {
 struct FrameChannel {
     BlendUnit unit = BlendUnit::IdealRound;
     int bits = 8;
-    DitherMode dither = DitherMode::Off;  ///< 3dfx's, with 5 and 6 bits only
-    int cell = 0;                         ///< of the dither matrix at the pixel: voodooCell()
+    DitherMode dither = DitherMode::Off;  ///< of no effect where dithers() is false
+    int cell = 0;                         ///< of the dither matrix at the pixel: ditherCell()
 };
 
 /// The value that blending reads for @p code: replicated, or with low bits of zero (PS2, N64, NV2A). With
 /// dither subtraction it may pass 255, as in MAME.
 int readBack(const FrameChannel& channel, int code);
 
-/// The value of the source that enters the blend: NV2A cuts it to the surface's bits (nv2a.md), others take
-/// it as it is.
+/// The value of the source that enters the blend: NV2A cuts it to the surface's bits (nv2a.md), the
+/// PlayStation dithers and cuts it here and not at the store (PSXSPX: polygons with shading or blended
+/// textures, and lines; flat polygons and rectangles are never dithered, and want Off). Others take it as it
+/// is.
 int enteringSource(const FrameChannel& channel, int value);
 
-/// The code that is stored for @p value.
-int stored(const FrameChannel& channel, int value);
+/// The code that is stored for @p value: one path for every chip and mode. Without dithering the low bits
+/// drop.
+/// @param value  of blend(), or of blendUnclamped(): PS2 and PSP add their cells before they clamp or wrap
+/// @param wraps  whether the sum keeps its low bits instead of clamping (BlendOperation::AddWrap)
+int stored(const FrameChannel& channel, int value, bool wraps = false);
 
 /// Where a pixel lies in the dither matrix, and how its chip stores it.
 struct FrameState {
@@ -34,22 +39,26 @@ struct FrameState {
     ColourFormat format{};
     DitherMode dither = DitherMode::Off;
     int x = 0, y = 0;
+    GsPixel gs{};  ///< the PS2 only
 };
 
 /// A whole pixel: codes in, codes out. Alpha that the format lacks reads as 1 and stays 0; alpha never
-/// dithers. The PS2 reads alpha with low bits of zero (128 is 1) and writes the source's; the PSP's alpha,
-/// its stencil, stays. None if the unit lacks the combination. Sections 2.1, 2.5, 2.14; nv2a.md, surface
-/// formats.
+/// dithers. The PS2 reads alpha with low bits of zero (128 is 1), writes the source's, and keeps the bits
+/// that its mask names; the PSP's alpha, its stencil, stays. None if the unit lacks the combination.
+/// Sections 2.1, 2.5, 2.14; nv2a.md, surface formats.
 std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, const Rgba& source,
                               const Rgba& codes);
 
 /// What the arithmetic of masks needs of one channel. Section 1, with its OpenGL settings.
 enum class MaskOperation : std::uint8_t {
-    Double,     ///< dst_color, one; source 1
-    Halve,      ///< dst_color, zero; source 1/2
-    Invert,     ///< one_minus_dst_color, zero; source 1
-    Increment,  ///< one, one; source one code (the N64's two codes)
-    Decrement,  ///< the same by reverse_subtract, or by a sum that wraps
+    Double,         ///< dst_color, one; source 1
+    Halve,          ///< dst_color, zero; source 1/2
+    Invert,         ///< one_minus_dst_color, zero; source 1
+    Increment,      ///< one, one; source one code (the N64's two codes)
+    Decrement,      ///< the same by reverse_subtract; gs_wrap and rdp wrap
+    IncrementWrap,  ///< one, one, add_wrap: the PS2 with COLCLAMP 0, the N64, the ideal units
+    DecrementWrap,  ///< the same, with a source that wraps to one code less
+    InvertBits,     ///< the logic operation Invert
 };
 
 /// What @p code becomes, in the chip's own way (section 2(a)); none if its blend unit has none. That the rest

@@ -73,10 +73,90 @@ constexpr int virgeDithered(int value, int cell) {
     return value > 248 ? 31 : (value + cell) >> 3;
 }
 
-/// The PS2's dithered store in 5 bits: a signed cell of its register, -4..3, is added before the clamp.
-/// Section 2.5 (PS2TEK).
-constexpr int gsDithered(int value, int cell) {
-    return std::clamp(value + cell, 0, 255) >> 3;
+/// Four rows of four signed cells.
+using DitherMatrix = std::array<std::array<int, 4>, 4>;
+
+/// The PlayStation's. PSXSPX, "24bit RGB to 15bit RGB Dithering"; DUCK has the same.
+constexpr DitherMatrix kPsxMatrix{{{-4, 0, -3, 1}, {2, -2, 3, -1}, {-3, 1, -4, 0}, {3, -1, 2, -2}}};
+
+/// What a PSP program has unless it sets another: the PlayStation's numbers (pspdev/pspsdk :
+/// src/gu/sceGuStart.c).
+constexpr DitherMatrix kGeMatrix = kPsxMatrix;
+
+/// What a PS2 program usually sets: its register's 3-bit numbers 4 2 5 3 / 0 6 1 7 / 5 3 4 2 / 1 7 0 6, with
+/// signs (ps2dev/ps2sdk : ee/draw/src/draw.c, draw_setup_environment(), and the same in games' own set-up).
+constexpr DitherMatrix kGsMatrix{{{-4, 2, -3, 3}, {0, -2, 1, -1}, {-3, 3, -4, 2}, {1, -1, 0, -2}}};
+
+/// The store of @p bits with a signed cell, which is added before the clamp: PS2 (DIMX; section 2.5, PS2TEK),
+/// PlayStation (PSXSPX), PSP (section 2.14, PPSSPP).
+/// @param value  of the PS2 and the PSP before their clamp, see blendUnclamped()
+constexpr int signedDithered(int value, int bits, int cell) {
+    return std::clamp(value + cell, 0, 255) >> (8 - bits);
+}
+
+/// The cell 0..7 of the N64's matrices, "magic" and Bayer. Section 2.10 (ANGRY dither.c).
+constexpr int rdpCell(DitherMode mode, int x, int y) {
+    constexpr DitherMatrix kMagic{{{0, 6, 1, 7}, {4, 2, 5, 3}, {3, 5, 2, 4}, {7, 1, 6, 0}}};
+    constexpr DitherMatrix kBayer{{{0, 4, 1, 5}, {4, 0, 5, 1}, {3, 7, 2, 6}, {7, 3, 6, 2}}};
+    return (mode == DitherMode::RdpMagic ? kMagic : kBayer)[y & 3][x & 3];
+}
+
+/// The value that the N64 stores for @p value, still of 8 bits: the next multiple of 8 (above 247: 255) if
+/// its low three bits are greater than the cell. It does so in 32-bit frames too. Section 2.10 (ANGRY
+/// dither.c, rgb_dither; blender.c calls it last).
+constexpr int rdpDithered(int value, int cell) {
+    if ((value & 7) <= cell) return value;
+    return value > 247 ? 255 : (value & ~7) + 8;
+}
+
+constexpr bool isVoodooDither(DitherMode mode) {
+    return mode == DitherMode::Matrix4x4 || mode == DitherMode::Matrix4x4Subtract ||
+           mode == DitherMode::Matrix2x2 || mode == DitherMode::Matrix2x2Subtract;
+}
+
+/// The cell of @p mode's matrix at a pixel; 0 if it is off. The PS2's and the PSP's are those of the usual
+/// matrices above: a program with its own takes its cells from there.
+constexpr int ditherCell(DitherMode mode, int x, int y) {
+    switch (mode) {
+        case DitherMode::Off:
+            return 0;
+        case DitherMode::Matrix4x4:
+        case DitherMode::Matrix4x4Subtract:
+        case DitherMode::Matrix2x2:
+        case DitherMode::Matrix2x2Subtract:
+            return voodooCell(mode, x, y);
+        case DitherMode::Gs:
+            return kGsMatrix[y & 3][x & 3];
+        case DitherMode::Virge:
+            return virgeCell(x, y);
+        case DitherMode::Psx:
+            return kPsxMatrix[y & 3][x & 3];
+        case DitherMode::RdpMagic:
+        case DitherMode::RdpBayer:
+            return rdpCell(mode, x, y);
+        case DitherMode::Ge:
+            return kGeMatrix[y & 3][x & 3];
+    }
+    return 0;
+}
+
+/// Whether @p mode changes what a colour channel of @p bits stores: 3dfx's 5 and 6 bits, 5 bits on the PS2
+/// (PCSX2 GSDrawScanline: 16-bit frames only), ViRGE and PlayStation, any on the N64 and the PSP.
+constexpr bool dithers(DitherMode mode, int bits) {
+    switch (mode) {
+        case DitherMode::Off:
+            return false;
+        case DitherMode::RdpMagic:
+        case DitherMode::RdpBayer:
+        case DitherMode::Ge:
+            return true;
+        case DitherMode::Gs:
+        case DitherMode::Virge:
+        case DitherMode::Psx:
+            return bits == 5;
+        default:
+            return bits == 5 || bits == 6;
+    }
 }
 
 }  // namespace gnomon

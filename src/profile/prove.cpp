@@ -37,7 +37,7 @@ std::pair<MaskOperation, MaskOperation> operationsOf(MaskArithmetic arithmetic) 
 std::vector<int> cellsOf(DitherMode mode) {
     std::set<int> cells;
     for (int y = 0; y < 4; ++y)
-        for (int x = 0; x < 4; ++x) cells.insert(voodooCell(mode, x, y));
+        for (int x = 0; x < 4; ++x) cells.insert(ditherCell(mode, x, y));
     return {cells.begin(), cells.end()};
 }
 

@@ -5,7 +5,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "profile/words.h"
 
@@ -79,8 +82,8 @@ TEST_P(EachFreeUnit, AgreesWithItsSecondForm) {
             for (int s = 0; s <= 255; ++s)
                 for (int f = 0; f <= 255; ++f) {
                     const auto value = blend(unit, {s, d, Weight::of(f), Weight::of(g), BlendOperation::Add});
-                    ASSERT_THAT(value, Optional(secondForm(unit, s, d, f, g)))
-                        << s << " * " << f << " + " << d << " * " << g;
+                    if (value != secondForm(unit, s, d, f, g))
+                        FAIL() << s << " * " << f << " + " << d << " * " << g << ": " << value.value_or(-1);
                 }
 }
 
@@ -197,6 +200,63 @@ TEST(Gs, HasASettingForThePairsOfAlphas) {
     EXPECT_EQ(blend(Gs, {1, 1, Weight::one(), Weight::complement(5, 128)}), std::nullopt);
 }
 
+// Every pair of weights and every operation: if some A, B, C, D give OpenGL's sum for all inputs, it is that
+// one to the bit, and if none do, there is no value. The search is over the formula's values, not its shares.
+TEST(Gs, HasWhatItsFormulaHasAndNothingElse) {
+    using enum GsInput;
+    using enum BlendOperation;
+    const int alpha = 0x30;
+    const std::vector<Weight> weights{Weight::zero(), Weight::one(), Weight::of(alpha, 128),
+                                      Weight::complement(alpha, 128)};
+    const auto share = [&](const Weight& w) {
+        return w.kind == Weight::Kind::One          ? 128
+               : w.kind == Weight::Kind::Value      ? alpha
+               : w.kind == Weight::Kind::Complement ? 128 - alpha
+                                                    : 0;
+    };
+    const auto down = [](int over128) { return static_cast<int>(std::floor(over128 / 128.0)); };
+    int found = 0, missing = 0;
+    for (const Weight& f : weights)
+        for (const Weight& g : weights)
+            for (const BlendOperation operation : {Add, Subtract, ReverseSubtract, AddWrap}) {
+                const int signS = operation == ReverseSubtract ? -1 : 1,
+                          signD = operation == Subtract ? -1 : 1;
+                // One input alone, 128 times its share, tells all shares apart.
+                bool exists = false;
+                for (const GsInput a : {Source, Destination, Zero})
+                    for (const GsInput b : {Source, Destination, Zero})
+                        for (const GsInput d : {Source, Destination, Zero})
+                            for (const int c : {alpha, 128}) {
+                                bool same = true;
+                                for (const auto& [s, t] : {std::pair(128, 0), std::pair(0, 128)})
+                                    same =
+                                        same && sumGs({a, b, c, d}, s, t) ==
+                                                    signS * s / 128 * share(f) + signD * t / 128 * share(g);
+                                exists = exists || same;
+                            }
+                const auto sample = blend(Gs, {100, 50, f, g, operation});
+                ASSERT_EQ(sample.has_value(), exists)
+                    << int(f.kind) << " " << int(g.kind) << " " << name(Gs) << " " << int(operation);
+                ++(exists ? found : missing);
+                if (!exists) continue;
+                for (int s = 0; s <= 255; ++s)
+                    for (int t = 0; t <= 255; ++t) {
+                        const int sum = down(signS * s * share(f) + signD * t * share(g));
+                        const ChannelBlend c{s, t, f, g, operation};
+                        ASSERT_EQ(blend(Gs, c),
+                                  operation == AddWrap ? ((sum % 256) + 256) % 256 : clamp(sum));
+                        ASSERT_EQ(blend(GsWrap, c), ((sum % 256) + 256) % 256);
+                    }
+            }
+    EXPECT_GT(found, 30);
+    EXPECT_GT(missing, 10);
+    // profiles/ps2.toml: reverse_subtract for "one one" and "src_alpha one", not for "one src_alpha".
+    const Weight one = Weight::one(), value = Weight::of(alpha, 128);
+    EXPECT_TRUE(blend(Gs, {1, 1, one, one, ReverseSubtract}));
+    EXPECT_TRUE(blend(Gs, {1, 1, value, one, ReverseSubtract}));
+    EXPECT_FALSE(blend(Gs, {1, 1, one, value, ReverseSubtract}));
+}
+
 TEST(Gs, HasNoColoursForFactors) {
     const BlendState doubling{BlendFactor::DstColor, BlendFactor::One};
     EXPECT_EQ(blendPixel(Gs, doubling, {255, 255, 255, 128}, {64, 64, 64, 128}), std::nullopt);
@@ -240,6 +300,18 @@ TEST(Rdp, WrapsAndNeverClamps) {
                     ASSERT_EQ(blendRdp(p, a, m, b), whole % 256);
                 }
     EXPECT_EQ(blendRdp(255, 31, 255, 31), (255 * 31 + 255 * 32) / 32 - 256);
+}
+
+// One and one by a sum that wraps is the forced blend with both weights whole; nothing on the chip clamps.
+TEST(Rdp, AddsOneAndOneOnlyByWrapping) {
+    for (int p = 0; p <= 255; ++p)
+        for (int m = 0; m <= 255; ++m) {
+            const ChannelBlend c{p, m, Weight::one(), Weight::one(), BlendOperation::AddWrap};
+            ASSERT_EQ(blend(Rdp, c), static_cast<int>(std::floor(p * 31 / 32.0 + m)) % 256);
+        }
+    EXPECT_EQ(blend(Rdp, {1, 1, Weight::one(), Weight::one()}), std::nullopt);
+    EXPECT_EQ(blend(Rdp, {1, 1, Weight::one(), Weight::one(), BlendOperation::ReverseSubtract}),
+              std::nullopt);
 }
 
 TEST(Nv3, HasComplementaryWeightsInSixteenths) {
@@ -297,6 +369,174 @@ TEST(Ge, TakesFactorsUpToTwo) {
     EXPECT_THAT(blend(Ge, {10, 200, Weight::one(), Weight::one(), BlendOperation::AbsoluteDifference}),
                 Optional(190));
 }
+
+// 255 - 2 As is negative from 128 on, and the product of its size is then taken away.
+TEST(Ge, SubtractsWhereADoubledComplementIsNegative) {
+    for (int s = 0; s <= 255; ++s)
+        for (int alpha = 0; alpha <= 255; ++alpha) {
+            const int f = 255 - 2 * alpha;
+            const int size = static_cast<int>(std::floor((s + 0.5) * (std::abs(f) + 0.5) / 256));
+            const ChannelBlend c{s, 100, Weight::complement(2 * alpha), Weight::one()};
+            ASSERT_EQ(blend(Ge, c), clamp(100 + (f < 0 ? -size : size))) << s << " " << alpha;
+        }
+}
+
+TEST(Ge, TakesTheAbsoluteDifferenceWithoutFactors) {
+    for (int s = 0; s <= 255; ++s)
+        for (int d = 0; d <= 255; ++d)
+            ASSERT_EQ(blend(Ge, {s, d, Weight::zero(), Weight::of(7), BlendOperation::AbsoluteDifference}),
+                      s > d ? s - d : d - s);
+}
+
+/// Units, and what of the operations they have for one and one.
+TEST(Operations, AreThoseOfEachChip) {
+    using enum BlendOperation;
+    const auto of = [](BlendUnit unit) {
+        std::string text;
+        const std::array<const char*, 9> words{"+", "-", "r", "m", "M", "s", "d", "a", "w"};
+        for (std::size_t o = 0; o < words.size(); ++o)
+            if (blend(unit, {9, 5, Weight::one(), Weight::one(), static_cast<BlendOperation>(o)}))
+                text += words[o];
+        return text;
+    };
+    const std::map<BlendUnit, std::string> expected{{IdealRound, "+-rmMw"},
+                                                    {IdealFloor, "+-rmMw"},
+                                                    {ProductsRound, "+-rmM"},
+                                                    {ProductsFloor, "+-rmM"},
+                                                    {VoodooMame, "+"},
+                                                    {Voodoo86Box, "+"},
+                                                    {Gs, "+-rw"},
+                                                    {GsWrap, "+-rw"},
+                                                    {PowerVr, "+"},
+                                                    {Flipper, "+r"},
+                                                    {Rdp, "w"},
+                                                    {Ge, "+-rmMa"},
+                                                    {Nv3, "+"},
+                                                    {Virge, ""},
+                                                    {Ds, ""},
+                                                    {Psx, "+r"},
+                                                    {Nv2a, "+-rmMsd"}};
+    EXPECT_EQ(expected.size(), names<BlendUnit>().size());
+    for (const auto& [unit, operations] : expected) EXPECT_EQ(of(unit), operations) << name(unit);
+    static_assert(int(AddWrap) == 8);
+}
+
+// Codes of any width: the sum modulo the number of codes.
+TEST(Operations, WrapOnCodesOfAnyWidth) {
+    for (const int most : {31, 63, 255})
+        for (int s = 0; s <= most; ++s)
+            for (int d = 0; d <= most; ++d) {
+                const ChannelBlend c{s, d, Weight::one(), Weight::one(), BlendOperation::AddWrap, most};
+                ASSERT_EQ(blend(IdealRound, c), (s + d) % (most + 1));
+                ASSERT_EQ(blend(IdealFloor, c), (s + d) % (most + 1));
+            }
+}
+
+TEST(Operations, AreTheEquationsOfProfiles) {
+    using enum BlendEquation;
+    for (std::size_t i = 0; i < names<BlendEquation>().size(); ++i) {
+        const auto equation = static_cast<BlendEquation>(i);
+        const auto expected = equation == AddWrap ? BlendOperation::AddWrap : static_cast<BlendOperation>(i);
+        EXPECT_EQ(operationOf(equation), expected) << name(equation);
+    }
+}
+
+/// A whole number over a positive one, exact.
+struct Exact {
+    std::int64_t over, under = 1;
+    Exact plus(Exact b) const { return {over * b.under + b.over * under, under * b.under}; }
+    Exact minus(Exact b) const { return {over * b.under - b.over * under, under * b.under}; }
+    /// Counted up or down to from a first guess: no rounding of the division is trusted.
+    std::int64_t floor() const {
+        std::int64_t n = over / under;
+        while (n * under > over) --n;
+        while ((n + 1) * under <= over) ++n;
+        return n;
+    }
+    std::int64_t nearest() const { return Exact{2 * over + under, 2 * under}.floor(); }
+};
+
+/// A weight as @p unit defines it.
+Exact definition(BlendUnit unit, const Weight& w) {
+    const bool none = w.kind == Weight::Kind::Zero, one = w.kind == Weight::Kind::One;
+    const bool value = w.kind == Weight::Kind::Value;
+    switch (unit) {
+        case VoodooMame:
+            return {none ? 0 : one ? 256 : value ? w.value + 1 : 256 - w.value, 256};
+        case PowerVr:
+        case Flipper: {
+            const int v = value ? w.value : 255 - w.value;
+            return {none ? 0 : one ? 256 : v >= 128 ? v + 1 : v, 256};
+        }
+        case Ge:  // in halves
+            return {none ? 1 : one ? 511 : value ? 2 * w.value + 1 : 2 * (255 - w.value) + 1, 512};
+        default:
+            return {none ? 0 : one ? w.unit : value ? w.value : w.unit - w.value, w.unit};
+    }
+}
+
+std::int64_t byDefinition(BlendUnit unit, const ChannelBlend& c) {
+    const Exact f = definition(unit, c.sourceWeight), g = definition(unit, c.destinationWeight);
+    const Exact s{c.source * f.over, f.under}, d{c.destination * g.over, g.under};
+    const auto combined = [&](auto a, auto b) {
+        return c.operation == BlendOperation::Subtract          ? a - b
+               : c.operation == BlendOperation::ReverseSubtract ? b - a
+                                                                : a + b;
+    };
+    const Exact sum = c.operation == BlendOperation::Subtract          ? s.minus(d)
+                      : c.operation == BlendOperation::ReverseSubtract ? d.minus(s)
+                                                                       : s.plus(d);
+    switch (unit) {
+        case IdealRound:
+        case Nv2a:
+            return sum.nearest();
+        case ProductsRound:
+            return combined(s.nearest(), d.nearest());
+        case ProductsFloor:
+        case Voodoo86Box:
+            return combined(s.floor(), d.floor());
+        case Ge: {
+            const Exact sHalves{(2 * c.source + 1) * f.over, 2 * f.under};
+            const Exact dHalves{(2 * c.destination + 1) * g.over, 2 * g.under};
+            return combined(sHalves.floor(), dHalves.floor());
+        }
+        default:
+            return sum.floor();
+    }
+}
+
+class EachUnitByDefinition : public testing::TestWithParam<BlendUnit> {};
+
+// All 256 x 256 inputs times weights of every kind and around every bound, as exact fractions with an
+// explicit floor. Differences too, where the unit has them.
+TEST_P(EachUnitByDefinition, AgreesOverAllInputs) {
+    using enum BlendOperation;
+    const BlendUnit unit = GetParam();
+    const std::vector<Weight> weights{Weight::zero(),  Weight::one(),          Weight::of(1),
+                                      Weight::of(127), Weight::of(128),        Weight::of(254),
+                                      Weight::of(255), Weight::complement(0),  Weight::complement(77),
+                                      Weight::of(0),   Weight::complement(128)};
+    std::int64_t compared = 0;
+    for (const Weight& f : weights)
+        for (const Weight& g : weights)
+            for (const BlendOperation operation : {Add, Subtract, ReverseSubtract}) {
+                if (!blend(unit, {1, 1, f, g, operation})) continue;
+                if (unit == Flipper && operation != Add) continue;  // ignores its factors
+                for (int s = 0; s <= 255; ++s)
+                    for (int d = 0; d <= 255; ++d) {
+                        const ChannelBlend c{s, d, f, g, operation};
+                        const auto expected = std::clamp<std::int64_t>(byDefinition(unit, c), 0, 255);
+                        if (blend(unit, c) != expected)
+                            FAIL() << name(unit) << " " << s << " " << d << " " << int(operation) << ": "
+                                   << *blend(unit, c) << ", not " << expected;
+                        ++compared;
+                    }
+            }
+    EXPECT_GE(compared, 121 * 65'536);
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, EachUnitByDefinition, testing::ValuesIn(unitsThat(takesAnyFactor)),
+                         [](const auto& test) { return name(test.param); });
 
 // Equations that ignore their factors.
 TEST(Operations, MinimumAndMaximumIgnoreFactors) {

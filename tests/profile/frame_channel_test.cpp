@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <tuple>
 
 #include "profile/words.h"
 
@@ -150,6 +151,28 @@ TEST(Table41SmallCodes, ComeOutOfTheFunctions) {
     for (int code = 0; code < 64; ++code) EXPECT_EQ(once({Ds, 6}, Halve, code), code / 2);
 }
 
+// Rows whose small codes are called exact: every power of two doubles and halves to its neighbour.
+TEST(Table41SmallCodes, AreExactWhereItSaysSo) {
+    for (const FrameChannel& c :
+         {FrameChannel{VoodooMame, 5}, FrameChannel{Voodoo86Box, 5}, FrameChannel{VoodooMame, 6},
+          FrameChannel{Voodoo86Box, 6}, FrameChannel{Gs, 8}, FrameChannel{Gs, 5}, FrameChannel{Psx, 5},
+          FrameChannel{Ge, 8}, FrameChannel{Ge, 5}, FrameChannel{Ge, 4}})
+        for (int code = 1; code < 1 << (c.bits - 1); code *= 2) {
+            EXPECT_EQ(once(c, Double, code), 2 * code) << name(c.unit) << c.bits;
+            EXPECT_EQ(once(c, Halve, 2 * code), code) << name(c.unit) << c.bits;
+        }
+}
+
+// Dreamcast, and Flipper in 8 bits: 2v - 1 from 1 to 127, at either constant for 1/2.
+TEST(Table41SmallCodes, DoubleToOneTooFewOnPowerVr) {
+    for (const BlendUnit unit : {PowerVr, Flipper}) {
+        for (int v = 1; v < 128; ++v) EXPECT_EQ(once({unit, 8}, Double, v), 2 * v - 1);
+        EXPECT_EQ(once({unit, 8}, Double, 0), 0);
+        for (int v = 128; v < 256; ++v) EXPECT_EQ(once({unit, 8}, Double, v), 255);
+        EXPECT_EQ(once({unit, 8}, Double, 1, 127), 1);
+    }
+}
+
 // The rows of table 4.1 that no mask operation stands for.
 TEST(Table41OtherWays, ComeOutOfTheFunctions) {
     // N64 in two cycles: the second adds the missing 1/32 of the frame.
@@ -166,6 +189,9 @@ TEST(Table41OtherWays, ComeOutOfTheFunctions) {
         EXPECT_EQ(modulateGs(from, 0xff), to) << from;
     for (const auto& [from, to] : {std::pair(255, 127), std::pair(128, 64), std::pair(64, 32)})
         EXPECT_EQ(modulateGs(from, 0x40), to) << from;
+    // PSP: twice the source's alpha of 1/2 (the factor 2 SA, on the destination's side) doubles as well.
+    for (const auto& [from, to] : {std::pair(64, 128), std::pair(128, 255), std::pair(255, 255)})
+        EXPECT_EQ(blend(Ge, {0, from, Weight::zero(), Weight::of(2 * 255)}), to) << from;
     // RIVA 128: weights of the destination's own colour.
     for (const auto& [from, to] : {std::pair(31, 16), std::pair(16, 8), std::pair(8, 4), std::pair(1, 0)})
         EXPECT_EQ(blendNv3(16, from, from, false, true), to) << from;
@@ -212,6 +238,7 @@ TEST(Table42, ComesOutOfTheFunctions) {
             for (int code = 1; code <= 1 << (bits - 1); code *= 2)
                 EXPECT_THAT(afterTrips({unit, bits}, Double, Halve, code, 1), ElementsAre(code));
         EXPECT_THAT(afterTrips({unit, 5}, Halve, Double, 31, 1), ElementsAre(31));
+        EXPECT_THAT(afterTrips({unit, 6}, Halve, Double, 63, 1), ElementsAre(63));
         EXPECT_THAT(afterTrips({unit, 5}, Double, Halve, 8, 1, 127), ElementsAre(8));
         EXPECT_THAT(afterTrips({unit, 5}, Double, Halve, 16, 1, 127), ElementsAre(15));
         EXPECT_THAT(afterTrips({unit, 5}, Halve, Double, 31, 1, 127), ElementsAre(30));
@@ -285,7 +312,10 @@ TEST(Section43, AdditiveCountersAreExact) {
     }
     // Nor does a smaller step do on Flipper.
     for (const int step : {1, 2, 3}) {
-        bool always = true;
+        bool always = true, up = true;
+        for (int code = 0; code < 63; ++code)
+            up = up && *blend(Flipper, {step, replicated(code, 6)}) >> 2 == code + 1;
+        EXPECT_FALSE(up) << step;
         for (int code = 1; code < 64; ++code) {
             const auto less = blend(Flipper, {step, replicated(code, 6), Weight::one(), Weight::one(),
                                               BlendOperation::ReverseSubtract});
@@ -347,6 +377,151 @@ TEST(BlendInto, DithersByPosition) {
         for (voodoo.y = 0; voodoo.y < 4; ++voodoo.y)
             reds.insert((*blendInto(voodoo, opaque, {100, 0, 0, 0}, {}))[0]);
     EXPECT_THAT(reds, ElementsAre(12, 13));
+}
+
+// Every mode that a chip has, at every pixel of its matrix, over all values: what stored() does is the mode's
+// own function, and no mode touches widths that its chip doesn't dither.
+TEST(FrameChannel, StoresByItsModeAtEveryCell) {
+    using enum DitherMode;
+    for (std::size_t m = 0; m < names<DitherMode>().size(); ++m)
+        for (const int bits : {1, 4, 5, 6, 8})
+            for (int y = 0; y < 4; ++y)
+                for (int x = 0; x < 4; ++x)
+                    for (int value = 0; value <= 255; ++value) {
+                        const auto mode = static_cast<DitherMode>(m);
+                        const int cell = ditherCell(mode, x, y);
+                        int expected = value >> (8 - bits);
+                        if (isVoodooDither(mode) && (bits == 5 || bits == 6))
+                            expected = voodooDithered(value, bits, cell);
+                        if (mode == Virge && bits == 5) expected = virgeDithered(value, cell);
+                        if (mode == Gs && bits == 5) expected = signedDithered(value, 5, cell);
+                        if (mode == Ge) expected = signedDithered(value, bits, cell);
+                        if (mode == RdpMagic || mode == RdpBayer)
+                            expected = rdpDithered(value, cell) >> (8 - bits);
+                        ASSERT_EQ(stored({IdealRound, bits, mode, cell}, value), expected)
+                            << name(mode) << " " << bits << " " << value;
+                    }
+}
+
+// PCSX2 and PPSSPP: the cell comes before the clamp, so that a sum of 300 stays white, and -4 doesn't make
+// it 251.
+TEST(FrameChannel, AddsSignedCellsBeforeTheClamp) {
+    EXPECT_EQ(stored({BlendUnit::Gs, 5, DitherMode::Gs, -4}, 300), 31);
+    EXPECT_EQ(stored({BlendUnit::Gs, 5, DitherMode::Gs, -4}, 255), 31);
+    EXPECT_EQ(stored({BlendUnit::Gs, 5, DitherMode::Gs, -4}, 251), 30);
+    EXPECT_EQ(stored({BlendUnit::Ge, 8, DitherMode::Ge, -4}, 300), 255);
+    EXPECT_EQ(stored({BlendUnit::Ge, 8, DitherMode::Ge, -4}, 255), 251);
+    EXPECT_EQ(stored({BlendUnit::Ge, 8, DitherMode::Ge, 3}, -20), 0);
+    // With COLCLAMP 0 the sum with its cell wraps.
+    EXPECT_EQ(stored({BlendUnit::GsWrap, 5, DitherMode::Gs, 3}, 255), 0);
+    EXPECT_EQ(stored({BlendUnit::Gs, 5, DitherMode::Gs, 3}, 255, true), 0);
+    EXPECT_EQ(stored({BlendUnit::Gs, 5, DitherMode::Gs, -4}, 0, true), 31);
+    // In a whole pixel: 200 + 100, at the pixel with -4.
+    const FrameState psp{.unit = Ge, .format = {"8888", 8, 8, 8, 8}, .dither = DitherMode::Ge};
+    const BlendState adding{BlendFactor::One, BlendFactor::One};
+    EXPECT_THAT(blendInto(psp, adding, {200, 20, 0, 0}, {100, 10, 0, 7}),
+                Optional(ElementsAre(255, 26, 0, 7)));
+}
+
+// PSXSPX: dithering is of the shading, before the blend.
+TEST(FrameChannel, PlayStationDithersWhatEnters) {
+    for (int cell = -4; cell <= 3; ++cell)
+        for (int value = 0; value <= 255; ++value) {
+            const FrameChannel channel{BlendUnit::Psx, 5, DitherMode::Psx, cell};
+            EXPECT_EQ(enteringSource(channel, value), signedDithered(value, 5, cell) * 8);
+            EXPECT_EQ(stored(channel, value), value / 8);
+        }
+    EXPECT_EQ(enteringSource({BlendUnit::Psx, 5}, 77), 77);
+}
+
+// Flat polygons are how masks are drawn there, and those never dither.
+TEST(FrameChannel, PlayStationsMasksDontDither) {
+    for (int code = 0; code < 32; ++code)
+        for (const MaskOperation operation : {Double, Halve, Increment, Decrement})
+            EXPECT_EQ(apply({BlendUnit::Psx, 5, DitherMode::Psx, -4}, operation, code),
+                      apply({BlendUnit::Psx, 5}, operation, code));
+}
+
+TEST(FrameChannel, CountsWithSumsThatWrap) {
+    for (const auto& [unit, bits, step] :
+         {std::tuple(IdealRound, 5, 1), std::tuple(IdealFloor, 8, 1), std::tuple(IdealRound, 6, 1),
+          std::tuple(Gs, 8, 1), std::tuple(Gs, 5, 1), std::tuple(GsWrap, 8, 1), std::tuple(Rdp, 5, 2)})
+        for (int code = 0; code <= largestCode(bits); ++code) {
+            const int most = largestCode(bits);
+            EXPECT_EQ(once({unit, bits}, IncrementWrap, code), (code + step) & most) << name(unit);
+            EXPECT_EQ(once({unit, bits}, DecrementWrap, code), (code - step) & most) << name(unit);
+        }
+    for (const BlendUnit unit : {VoodooMame, PowerVr, Flipper, Ge, Nv2a, ProductsRound, Virge})
+        EXPECT_EQ(apply({unit, 8}, IncrementWrap, 3), std::nullopt) << name(unit);
+}
+
+// The logic operation works on codes, whatever the blend unit.
+TEST(FrameChannel, InvertsBitsExactly) {
+    for (const int bits : {5, 6, 8})
+        for (int code = 0; code <= largestCode(bits); ++code)
+            EXPECT_EQ(once({PowerVr, bits}, InvertBits, code), largestCode(bits) - code);
+}
+
+// The four settings of a PS2 pixel, over all their inputs.
+TEST(GsPixel, BlendsByPabeOnlyFromHalfTheRange) {
+    for (int alpha = 0; alpha <= 255; ++alpha) {
+        EXPECT_TRUE(gsBlends(false, alpha));
+        EXPECT_EQ(gsBlends(true, alpha), alpha > 127);
+        FrameState frame{.unit = Gs, .format = {"8888", 8, 8, 8, 8}};
+        frame.gs.pabe = true;
+        const BlendState adding{BlendFactor::One, BlendFactor::One};
+        const int red = (*blendInto(frame, adding, {10, 0, 0, alpha}, {100, 0, 0, 0}))[0];
+        EXPECT_EQ(red, alpha >= 128 ? 110 : 10) << alpha;
+    }
+}
+
+TEST(GsPixel, SetsTheTopBitOfAlphaByFba) {
+    for (int alpha = 0; alpha <= 255; ++alpha) {
+        EXPECT_EQ(gsAlpha(false, alpha), alpha);
+        EXPECT_EQ(gsAlpha(true, alpha), alpha % 128 + 128);
+        for (const auto& [format, expected] : {std::pair(ColourFormat{"8888", 8, 8, 8, 8}, alpha % 128 + 128),
+                                               std::pair(ColourFormat{"5551", 5, 5, 5, 1}, 1),
+                                               std::pair(ColourFormat{"888", 8, 8, 8, 0}, 0)}) {
+            FrameState frame{.unit = Gs, .format = format};
+            frame.gs.fba = true;
+            EXPECT_EQ((*blendInto(frame, {}, {0, 0, 0, alpha}, {}))[3], expected) << format.name;
+        }
+    }
+}
+
+// Bit by bit, over all values of 8 bits and masks of every single bit, and some whole ones.
+TEST(GsPixel, KeepsTheBitsOfItsMask) {
+    for (const int mask : {0x00, 0x01, 0x02, 0x04, 0x08, 0x10, 0x20, 0x40, 0x80, 0x55, 0xf0, 0xff})
+        for (int next = 0; next <= 255; ++next)
+            for (int old = 0; old <= 255; ++old) {
+                int expected = 0;
+                for (int bit = 1; bit < 256; bit *= 2)
+                    if ((mask & bit ? old : next) & bit) expected += bit;
+                ASSERT_EQ(gsMasked(next, old, mask), expected);
+            }
+    // All of alpha and half of green; a 16-bit frame takes the top bits of the mask.
+    FrameState frame{.unit = Gs, .format = {"8888", 8, 8, 8, 8}};
+    frame.gs.mask = {0, 0x0f, 0, 0xff};
+    EXPECT_THAT(blendInto(frame, {}, {1, 0xaa, 3, 4}, {9, 0x55, 9, 9}), Optional(ElementsAre(1, 0xa5, 3, 9)));
+    frame.format = {"5551", 5, 5, 5, 1};
+    frame.gs.mask = {0xf8, 0x08, 0x07, 0x80};
+    EXPECT_THAT(blendInto(frame, {}, {255, 255, 255, 255}, {3, 0, 3, 0}),
+                Optional(ElementsAre(3, 30, 31, 0)));
+}
+
+TEST(GsPixel, TestsOneBitOfAlphaByDate) {
+    for (const bool datm : {false, true}) {
+        const GsPixel testing{.date = true, .datm = datm}, off{.datm = datm};
+        for (int alpha = 0; alpha <= 255; ++alpha) {
+            EXPECT_EQ(gsDatePasses(testing, alpha, 8), (alpha >= 128) == datm) << alpha;
+            EXPECT_TRUE(gsDatePasses(off, alpha, 8));
+            FrameState frame{.unit = Gs, .format = {"8888", 8, 8, 8, 8}, .gs = testing};
+            const Rgba codes{5, 6, 7, alpha}, source{9, 9, 9, 9};
+            EXPECT_EQ(blendInto(frame, {}, source, codes), (alpha >= 128) == datm ? source : codes);
+        }
+        for (const int alpha : {0, 1}) EXPECT_EQ(gsDatePasses(testing, alpha, 1), (alpha == 1) == datm);
+        EXPECT_TRUE(gsDatePasses(testing, 0, 0));
+    }
 }
 
 TEST(BlendInto, LeavesAlphaAsTheChipDoes) {

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdlib>
+#include <map>
+
+#include "profile/words.h"
 
 namespace gnomon {
 namespace {
@@ -115,11 +120,99 @@ TEST(VirgeDither, NeverPassesTheLargestCode) {
         }
 }
 
-TEST(GsDither, ClampsBeforeItCuts) {
-    EXPECT_EQ(gsDithered(255, 3), 31);
-    EXPECT_EQ(gsDithered(0, -4), 0);
-    EXPECT_EQ(gsDithered(8, -4), 0);
-    EXPECT_EQ(gsDithered(5, 3), 1);
+// 86VIRGE: up to 248 the cell is added and the low three bits dropped, above it nothing is added.
+TEST(VirgeDither, AddsItsCellToAllValuesUpTo248) {
+    for (int value = 0; value <= 255; ++value)
+        for (int cell = 0; cell < 8; ++cell)
+            EXPECT_EQ(virgeDithered(value, cell), (value > 248 ? 248 : value + cell) / 8) << value;
+}
+
+/// How often each cell occurs in the 4 x 4 pixels.
+std::map<int, int> countsOf(DitherMode mode) {
+    std::map<int, int> counts;
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 4; ++x) ++counts[ditherCell(mode, x, y)];
+    return counts;
+}
+
+TEST(SignedDither, MatricesHoldEachCellTwice) {
+    std::map<int, int> expected;
+    for (int cell = -4; cell <= 3; ++cell) expected[cell] = 2;
+    for (const DitherMode mode : {DitherMode::Gs, DitherMode::Psx, DitherMode::Ge})
+        EXPECT_EQ(countsOf(mode), expected) << name(mode);
+}
+
+// PSXSPX: the last two rows are the first two, moved by two pixels.
+TEST(SignedDither, PlayStationsRowsRepeatMovedByTwo) {
+    const std::array<int, 4> first{-4, 0, -3, 1}, second{2, -2, 3, -1};
+    for (int x = 0; x < 4; ++x) {
+        const auto at = static_cast<std::size_t>(x), moved = static_cast<std::size_t>((x + 2) % 4);
+        EXPECT_EQ(ditherCell(DitherMode::Psx, x, 0), first[at]);
+        EXPECT_EQ(ditherCell(DitherMode::Psx, x, 1), second[at]);
+        EXPECT_EQ(ditherCell(DitherMode::Psx, x, 2), first[moved]);
+        EXPECT_EQ(ditherCell(DitherMode::Psx, x, 3), second[moved]);
+    }
+}
+
+// The register's three bits as ps2sdk writes them, with bit 2 as the sign.
+TEST(SignedDither, Ps2sMatrixIsThatOfItsRegister) {
+    const std::array<int, 16> dimx{4, 2, 5, 3, 0, 6, 1, 7, 5, 3, 4, 2, 1, 7, 0, 6};
+    for (int i = 0; i < 16; ++i) {
+        const int bits = dimx[static_cast<std::size_t>(i)];
+        EXPECT_EQ(ditherCell(DitherMode::Gs, i % 4, i / 4), bits - (bits & 4) * 2);
+    }
+}
+
+// All values, before and beyond the clamp, and all cells, by real numbers.
+TEST(SignedDither, AddsClampsAndCuts) {
+    for (const int bits : {4, 5, 6, 8})
+        for (int value = -255; value <= 510; ++value)
+            for (int cell = -8; cell <= 7; ++cell) {
+                const double sum = std::fmin(std::fmax(value + cell, 0.0), 255.0);
+                EXPECT_EQ(signedDithered(value, bits, cell),
+                          static_cast<int>(std::floor(sum * std::ldexp(1.0, bits - 8))))
+                    << value << " " << cell;
+            }
+}
+
+TEST(RdpDither, MatricesHoldTheirCells) {
+    std::map<int, int> twice;
+    for (int cell = 0; cell < 8; ++cell) twice[cell] = 2;
+    EXPECT_EQ(countsOf(DitherMode::RdpMagic), twice);
+    EXPECT_EQ(countsOf(DitherMode::RdpBayer), twice);
+    EXPECT_EQ(ditherCell(DitherMode::RdpMagic, 1, 0), 6);
+    EXPECT_EQ(ditherCell(DitherMode::RdpMagic, 0, 3), 7);
+    EXPECT_EQ(ditherCell(DitherMode::RdpBayer, 1, 0), 4);
+    EXPECT_EQ(ditherCell(DitherMode::RdpBayer, 0, 3), 7);
+}
+
+// In 5 bits it is an addition of 7 - cell that ends at 31: cell 7 only drops the low bits. In 8 bits a value
+// moves only up, and onto a multiple of 8 or 255.
+TEST(RdpDither, RoundsUpWhereTheLowBitsPassTheCell) {
+    for (int value = 0; value <= 255; ++value)
+        for (int cell = 0; cell < 8; ++cell) {
+            const int after = rdpDithered(value, cell);
+            EXPECT_EQ(after >> 3, std::min((value + 7 - cell) / 8, 31)) << value << " " << cell;
+            if (after != value) {
+                EXPECT_GT(after, value);
+                EXPECT_TRUE(after % 8 == 0 || after == 255);
+            }
+        }
+}
+
+TEST(DitherCell, IsThatOfTheModeEverywhere) {
+    for (int y = 0; y < 8; ++y)
+        for (int x = 0; x < 8; ++x) {
+            EXPECT_EQ(ditherCell(DitherMode::Off, x, y), 0);
+            EXPECT_EQ(ditherCell(DitherMode::Matrix4x4Subtract, x, y),
+                      voodooCell(DitherMode::Matrix4x4, x, y));
+            EXPECT_EQ(ditherCell(DitherMode::Matrix2x2, x, y), voodooCell(DitherMode::Matrix2x2, x, y));
+            EXPECT_EQ(ditherCell(DitherMode::Virge, x, y), virgeCell(x, y));
+            for (std::size_t m = 0; m < names<DitherMode>().size(); ++m) {
+                const auto mode = static_cast<DitherMode>(m);
+                EXPECT_EQ(ditherCell(mode, x, y), ditherCell(mode, x + 4, y + 4));
+            }
+        }
 }
 
 }  // namespace
