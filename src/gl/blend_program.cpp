@@ -116,37 +116,59 @@ std::string byFactors(const EmulatedDraw& state, int c, const Factor& f, const F
     switch (state.chip.unit) {
         case BlendUnit::VoodooMame: {
             const auto [a, b] = terms("256", "({} + 1)", "(256 - {})");
-            return clamped(fmt::format("({} + {}) >> 8", a, b));
+            return fmt::format("(({} + {}) >> 8)", a, b);
         }
         case BlendUnit::Voodoo86Box: {
             const auto [a, b] = terms("255", "{}", "(255 - {})");
-            return clamped(fmt::format("quotient255({}) + quotient255({})", a, b));
+            return fmt::format("(quotient255({}) + quotient255({}))", a, b);
         }
         case BlendUnit::Flipper:
-            if (equation == BlendEquation::ReverseSubtract) return fmt::format("max({} - {}, 0)", d, s);
+            if (equation == BlendEquation::ReverseSubtract) return fmt::format("({} - {})", d, s);
             [[fallthrough]];
         case BlendUnit::PowerVr: {
             const auto [a, b] = terms("256", "({0} + ({0} >> 7))", "(255 - {0} + ((255 - {0}) >> 7))");
-            return fmt::format("min(({} + {}) >> 8, 255)", a, b);
+            return fmt::format("(({} + {}) >> 8)", a, b);
         }
         case BlendUnit::Ge: {
             const auto product = [&](const std::string& colour, const Factor& factor) {
                 return fmt::format("((2 * {} + 1) * (2 * {} + 1) >> 10)", colour,
                                    weight(factor, "255", "{}", "max(255 - {}, 0)"));
             };
-            return clamped(joined(equation, product(s, f), product(d, g)));
+            return fmt::format("({})", joined(equation, product(s, f), product(d, g)));
         }
         case BlendUnit::ProductsRound:
         case BlendUnit::ProductsFloor: {
             const auto [a, b] = terms("255", "{}", "(255 - {})");
             const char* cut = state.chip.unit == BlendUnit::ProductsRound ? "round255" : "floor255";
-            return clamped(joined(equation, fmt::format("{}({})", cut, a), fmt::format("{}({})", cut, b)));
+            return fmt::format(
+                "({})", joined(equation, fmt::format("{}({})", cut, a), fmt::format("{}({})", cut, b)));
         }
         default: {
             const auto [a, b] = terms("255", "{}", "(255 - {})");
-            const char* cut = state.chip.unit == BlendUnit::IdealFloor ? "floor255" : "round255";
-            return fmt::format("min({}(max({}, 0)), 255)", cut, joined(equation, a, b));
+            const bool floors = state.chip.unit == BlendUnit::IdealFloor;
+            if (equation == BlendEquation::AddWrap)  // no clamp hides a sum beyond the quick quotient's range
+                return fmt::format(
+                    "(({}) / {})",
+                    floors ? joined(equation, a, b) : fmt::format("2 * ({}) + 255", joined(equation, a, b)),
+                    floors ? 255 : 510);
+            const char* cut = floors ? "floor255" : "round255";
+            return fmt::format("{}(max({}, 0))", cut, joined(equation, a, b));
         }
+    }
+}
+
+bool isColour(BlendFactor factor) {
+    switch (factor) {
+        case SrcColor:
+        case OneMinusSrcColor:
+        case DstColor:
+        case OneMinusDstColor:
+        case SrcAlphaSaturate:
+        case ConstantColor:
+        case OneMinusConstantColor:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -156,54 +178,51 @@ std::string gsSetting(const EmulatedDraw& state, int c, const Factor& f, const F
     using enum Factor::Kind;
     const auto side = std::size_t(c == kAlpha);
     const BlendFactor source = state.source[side], destination = state.destination[side];
+    const BlendEquation equation = state.equation[side];
     const std::string s = fmt::format("s{}", c), d = fmt::format("d{}", c);
     const auto sum = [&](const std::string& a, const std::string& b, const std::string& coefficient,
                          const std::string& added) {
-        const std::string value = fmt::format("((({} - {}) * {}) >> 7) + {}", a, b, coefficient, added);
-        const bool wraps =
-            state.chip.unit == BlendUnit::GsWrap || state.equation[side] == BlendEquation::AddWrap;
-        return wraps ? fmt::format("({}) & 255", value) : clamped(value);
+        return fmt::format("(((({} - {}) * {}) >> 7) + {})", a, b, coefficient, added);
     };
-    const auto isWhole = [](const Factor& factor) { return factor.kind == Zero || factor.kind == One; };
-
-    if (state.equation[side] == BlendEquation::ReverseSubtract) {
-        if (g.kind != One) refuse(state, c, "reverse_subtract");
-        if (f.kind == One) return sum(d, s, "128", "0");
-        if (f.kind == Value && source != SrcColor && source != DstColor) return sum("0", s, f.value, d);
-        refuse(state, c, "reverse_subtract");
+    if (state.from == FragmentSource::Constant && equation == BlendEquation::Add) {
+        const std::string fix = fmt::format("((2 * {} * 128 + 255) / 510)", s);
+        const bool isWhole = g.kind == Zero || g.kind == One;
+        if (source == DstColor && isWhole) return sum(d, "0", fix, g.kind == One ? d : "0");
+        if (f.kind == Zero && destination == SrcColor) return sum(d, "0", fix, "0");
+        if (source == OneMinusDstColor && g.kind == Zero) return sum("255", d, fix, "0");
     }
-    if (isWhole(f) && isWhole(g)) return sum(f.kind == One ? s : "0", "0", "128", g.kind == One ? d : "0");
-    const bool isConstant = state.from == FragmentSource::Constant;
-    const std::string fix = fmt::format("((2 * {} * 128 + 255) / 510)", s);
-    if (source == DstColor && isConstant && isWhole(g)) return sum(d, "0", fix, g.kind == One ? d : "0");
-    if (f.kind == Zero && destination == SrcColor && isConstant) return sum(d, "0", fix, "0");
-    if (source == OneMinusDstColor && isConstant && g.kind == Zero) return sum("255", d, fix, "0");
+    if (isColour(source) || isColour(destination)) refuse(state, c, name(equation).c_str());
 
-    const auto isAlpha = [](BlendFactor factor) {
-        switch (factor) {
-            case SrcAlpha:
-            case OneMinusSrcAlpha:
-            case DstAlpha:
-            case OneMinusDstAlpha:
-            case ConstantAlpha:
-            case OneMinusConstantAlpha:
-                return true;
-            default:
-                return false;
-        }
+    // The first A, B and D that are what OpenGL asks for, as blend() finds them.
+    struct Share {
+        int ofCoefficient = 0, ofOne = 0;
+        bool operator==(const Share&) const = default;
     };
-    if ((!isWhole(f) && !isAlpha(source)) || (!isWhole(g) && !isAlpha(destination))) refuse(state, c, "add");
-    if (!isWhole(f) && !isWhole(g)) {
-        if (f.kind == g.kind || f.value != g.value) refuse(state, c, "add");
-        return f.kind == Value ? sum(s, d, f.value, d) : sum(d, s, f.value, s);
-    }
-    const bool sourceVaries = !isWhole(f);
-    const Factor& varying = sourceVaries ? f : g;
-    const Factor& whole = sourceVaries ? g : f;
-    const std::string &first = sourceVaries ? s : d, &other = sourceVaries ? d : s;
-    if (varying.kind == Value) return sum(first, "0", varying.value, whole.kind == One ? other : "0");
-    if (whole.kind == One) refuse(state, c, "add");
-    return sum("0", first, varying.value, first);
+    const auto shareOf = [](const Factor& factor, int sign) {
+        return factor.kind == Zero    ? Share{}
+               : factor.kind == One   ? Share{0, sign}
+               : factor.kind == Value ? Share{sign, 0}
+                                      : Share{-sign, sign};
+    };
+    const bool sourceVaries = f.kind == Value || f.kind == Complement;
+    const bool destinationVaries = g.kind == Value || g.kind == Complement;
+    if (sourceVaries && destinationVaries && f.value != g.value) refuse(state, c, name(equation).c_str());
+    const bool varies = sourceVaries || destinationVaries;
+    const std::string coefficient = sourceVaries ? f.value : destinationVaries ? g.value : "128";
+    const Share ofSource = shareOf(f, equation == BlendEquation::ReverseSubtract ? -1 : 1);
+    const Share ofDestination = shareOf(g, equation == BlendEquation::Subtract ? -1 : 1);
+    const std::array<std::string, 3> inputs{s, d, "0"};
+    for (std::size_t a = 0; a < 3; ++a)
+        for (std::size_t b = 0; b < 3; ++b)
+            for (std::size_t added = 0; added < 3; ++added) {
+                const auto shareIn = [&](std::size_t input) {
+                    const int times = int(a == input) - int(b == input), once = int(added == input);
+                    return varies ? Share{times, once} : Share{0, times + once};
+                };
+                if (shareIn(0) == ofSource && shareIn(1) == ofDestination)
+                    return sum(inputs[a], inputs[b], coefficient, inputs[added]);
+            }
+    refuse(state, c, name(equation).c_str());
 }
 
 /// The chips with fixed multiplexers. A constant colour that multiplies the destination becomes the weight of
@@ -230,32 +249,32 @@ std::string fixedSetting(const EmulatedDraw& state, int c, const Factor& f, cons
             break;
         case BlendUnit::Rdp:
             if (overs && (isAdd || isWrap))
-                return fmt::format("(({0} * ({2} >> 3) + {1} * (32 - ({2} >> 3))) >> 5) & 255", s, d, weight);
-            if (ones && (isAdd || isWrap)) return fmt::format("(({} * 31 + {} * 32) >> 5) & 255", s, d);
-            if (scales) return fmt::format("({} * ((2 * {} * 32 + 255) / 510)) >> 5", d, s);
-            if (doubles) return fmt::format("(({0} * 31 + {0} * 32) >> 5) & 255", d);
+                return fmt::format("(({0} * ({2} >> 3) + {1} * (32 - ({2} >> 3))) >> 5 & 255)", s, d, weight);
+            if (ones && (isAdd || isWrap)) return fmt::format("(({} * 31 + {} * 32) >> 5)", s, d);
+            if (scales) return fmt::format("(({} * ((2 * {} * 32 + 255) / 510)) >> 5)", d, s);
+            if (doubles) return fmt::format("((({0} * 31 + {0} * 32) >> 5) & 255)", d);
             break;
         case BlendUnit::Nv3: {
-            if (ones && isAdd) return fmt::format("min(({} >> 3) + ({} >> 3), 31) << 3", s, d);
+            if (ones && isAdd) return fmt::format("(min(({} >> 3) + ({} >> 3), 31) << 3)", s, d);
             const bool fits = (f.kind == Zero || f.kind == Value) &&
                               (g.kind == Zero || g.kind == Complement) &&
                               (f.kind == Zero || g.kind == Zero || f.value == g.value);
             if (!isAdd || !fits || (f.kind == Zero && g.kind == Zero)) break;
-            return fmt::format("nv3({}, {}, ({}) >> 4) << 3", f.kind == Zero ? "0" : s + " >> 3",
+            return fmt::format("(nv3({}, {}, ({}) >> 4) << 3)", f.kind == Zero ? "0" : s + " >> 3",
                                g.kind == Zero ? "0" : d + " >> 3", f.kind == Zero ? g.value : f.value);
         }
         case BlendUnit::Ds:
             if (overs && isAdd)
                 return fmt::format(
-                    "((({0} >> 2) * (({2} >> 3) + 1) + ({1} >> 2) * (31 - ({2} >> 3))) >> 5) << 2", s, d,
+                    "(((({0} >> 2) * (({2} >> 3) + 1) + ({1} >> 2) * (31 - ({2} >> 3))) >> 5) << 2)", s, d,
                     weight);
             if (scales)
-                return fmt::format("((({} >> 2) * min((2 * {} * 32 + 255) / 510, 31)) >> 5) << 2", d, s);
+                return fmt::format("(((({} >> 2) * min((2 * {} * 32 + 255) / 510, 31)) >> 5) << 2)", d, s);
             break;
         case BlendUnit::Psx:
-            if (ones && isAdd) return fmt::format("min(({} >> 3) + ({} >> 3), 31) << 3", s, d);
+            if (ones && isAdd) return fmt::format("(min(({} >> 3) + ({} >> 3), 31) << 3)", s, d);
             if (ones && equation == BlendEquation::ReverseSubtract)
-                return fmt::format("max(({1} >> 3) - ({0} >> 3), 0) << 3", s, d);
+                return fmt::format("(max(({1} >> 3) - ({0} >> 3), 0) << 3)", s, d);
             break;
         default:
             break;
@@ -281,7 +300,7 @@ bool takesAnyFactor(BlendUnit unit) {
     }
 }
 
-/// The value of channel @p c after blending, 8 bits.
+/// The value of channel @p c after blending, before its clamp.
 std::string blended(const EmulatedDraw& state, int c) {
     const auto side = std::size_t(c == kAlpha);
     const BlendEquation equation = state.equation[side];
@@ -294,21 +313,24 @@ std::string blended(const EmulatedDraw& state, int c) {
     const Factor f = factorOf(state, state.source[side], c), g = factorOf(state, state.destination[side], c);
     if (isGs(unit)) return gsSetting(state, c, f, g);
     if (!takesAnyFactor(unit)) return fixedSetting(state, c, f, g);
-    if (equation == BlendEquation::AddWrap) {
-        if (f.kind != Factor::Kind::One || g.kind != Factor::Kind::One) refuse(state, c, "add_wrap");
-        return fmt::format("({} + {}) & 255", s, d);
-    }
     return byFactors(state, c, f, g);
 }
 
+/// The dither cell at the pixel: 16 cells of 4 bits, the first in the lowest, signed ones with 4 added.
 std::string cellText(DitherMode mode) {
-    // The cells as 16 times 4 bits, the first in the lowest.
+    const bool isSigned = mode == DitherMode::Gs || mode == DitherMode::Ge || mode == DitherMode::Psx;
+    const int added = isSigned ? 4 : 0;
     std::array<std::uint32_t, 2> packed{};
     for (int y = 0; y < 4; ++y)
         for (int x = 0; x < 4; ++x)
-            packed[std::size_t(y / 2)] |= std::uint32_t(voodooCell(mode, x, y)) << (16 * (y % 2) + 4 * x);
-    return fmt::format("int(((row & 2) == 0 ? {}u : {}u) >> (16 * (row & 1) + 4 * (column & 3)) & 15u)",
-                       packed[0], packed[1]);
+            packed[std::size_t(y / 2)] |= std::uint32_t(ditherCell(mode, x, y) + added)
+                                          << (16 * (y % 2) + 4 * x);
+    return fmt::format("int(((row & 2) == 0 ? {}u : {}u) >> (16 * (row & 1) + 4 * (column & 3)) & 15u) - {}",
+                       packed[0], packed[1], added);
+}
+
+bool dithersChannel(const EmulatedDraw& state, int c) {
+    return c != kAlpha && dithers(state.dither, channelBits(state.format, c));
 }
 
 /// The value of 8 bits that the blend unit reads for a stored code.
@@ -325,20 +347,44 @@ std::string readBackText(const EmulatedDraw& state, int c) {
     std::string text = fmt::format("({0} << {1} | {0} >> {2})", code, 8 - bits, 2 * bits - 8);
     const bool subtracts =
         state.dither == DitherMode::Matrix4x4Subtract || state.dither == DitherMode::Matrix2x2Subtract;
-    if (subtracts && c != kAlpha) text += fmt::format(" + ((15 - cell) >> {})", bits == 6 ? 2 : 1);
+    if (subtracts && dithersChannel(state, c))
+        text += fmt::format(" + ((15 - cell) >> {})", bits == 6 ? 2 : 1);
     return text;
 }
 
-/// The code that is stored for a value of 8 bits.
-std::string storedText(const EmulatedDraw& state, int c, const std::string& value) {
+/// The clamp, or the wrap, that ends a sum; PS2 and PSP add their dither cells before it.
+std::string finishedText(const EmulatedDraw& state, int c, const std::string& sum) {
+    const auto side = std::size_t(c == kAlpha);
+    const bool wraps = state.chip.unit == BlendUnit::GsWrap ||
+                       (state.blends && state.equation[side] == BlendEquation::AddWrap);
+    const bool cellComesFirst = state.dither == DitherMode::Gs || state.dither == DitherMode::Ge;
+    const std::string value =
+        cellComesFirst && dithersChannel(state, c) ? fmt::format("({} + cell)", sum) : sum;
+    return wraps ? fmt::format("({} & 255)", value) : clamped(value);
+}
+
+/// The code that is stored for a value of 8 bits, or for the sum before its clamp.
+std::string storedText(const EmulatedDraw& state, int c, const std::string& sum) {
     const int bits = channelBits(state.format, c);
-    if (bits == 8) return value;
-    if (state.chip.fidelity == Fidelity::Gl)
-        return fmt::format("(2 * ({}) * {} + 255) / 510", value, largestCode(bits));
-    if (c == kAlpha || state.dither == DitherMode::Off || bits < 5)
-        return fmt::format("({}) >> {}", value, 8 - bits);
-    if (bits == 5) return fmt::format("dithered5({}, cell)", value);
-    return fmt::format("dithered6({}, cell)", value);
+    const std::string value = finishedText(state, c, sum);
+    if (state.chip.fidelity == Fidelity::Gl && bits < 8)
+        return fmt::format("(2 * {} * {} + 255) / 510", value, largestCode(bits));
+    const std::string truncated = bits == 8 ? value : fmt::format("{} >> {}", value, 8 - bits);
+    if (!dithersChannel(state, c)) return truncated;
+    switch (state.dither) {
+        case DitherMode::Virge:
+            return fmt::format("virgeDithered({}, cell)", value);
+        case DitherMode::RdpMagic:
+        case DitherMode::RdpBayer:
+            return fmt::format("rdpDithered({}, cell) >> {}", value, 8 - bits);
+        case DitherMode::Off:
+        case DitherMode::Gs:
+        case DitherMode::Ge:
+        case DitherMode::Psx:
+            return truncated;
+        default:
+            return fmt::format("voodooDithered{}({}, cell)", bits, value);
+    }
 }
 
 bool readsDestinationAlpha(BlendFactor factor) {
@@ -459,8 +505,10 @@ int floor255(int v) { return (v + 1 + (v >> 8)) >> 8; }
 int quotient255(int v) { return v < 0 ? -floor255(-v) : floor255(v); }
 int round255(int v) { int u = v + 128; return (u + (u >> 8)) >> 8; }
 int nv3(int s, int d, int f) { return f == 15 ? s : f == 0 ? d : (d * (16 - f) + s * f) >> 4; }
-int dithered5(int v, int cell) { return (2 * v - (v >> 4) + (v >> 7) + cell) >> 4; }
-int dithered6(int v, int cell) { return (4 * v - (v >> 4) + (v >> 6) + cell) >> 4; }
+int voodooDithered5(int v, int cell) { return (2 * v - (v >> 4) + (v >> 7) + cell) >> 4; }
+int voodooDithered6(int v, int cell) { return (4 * v - (v >> 4) + (v >> 6) + cell) >> 4; }
+int virgeDithered(int v, int cell) { return v > 248 ? 31 : (v + cell) >> 3; }
+int rdpDithered(int v, int cell) { return (v & 7) <= cell ? v : v > 247 ? 255 : (v & 248) + 8; }
 // 4 bits of exponent, 12 of mantissa: those of the float.
 int voodooW(float inverse) {
     uint bits = floatBitsToUint(inverse);
@@ -534,8 +582,11 @@ std::string fragmentProgram(const EmulatedDraw& state) {
             text += fmt::format("    int d{} = {};\n", c, readBackText(state, c));
             if (c < kAlpha) {
                 const bool cuts = state.chip.unit == BlendUnit::Nv2a && bits > 0 && bits < 8 && state.blends;
+                const bool dithersFirst = state.dither == DitherMode::Psx && dithersChannel(state, c);
                 text += cuts ? fmt::format("    int s{0} = source[{0}] >> {1} << {1};\n", c, 8 - bits)
-                             : fmt::format("    int s{0} = source[{0}];\n", c);
+                        : dithersFirst
+                            ? fmt::format("    int s{0} = clamp(source[{0}] + cell, 0, 255) & 248;\n", c)
+                            : fmt::format("    int s{0} = source[{0}];\n", c);
             }
             text += fmt::format("    int k{0} = blendColour[{0}];\n", c);
         }

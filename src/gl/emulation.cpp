@@ -189,8 +189,8 @@ class Emulation {
             return made;
         };
         // Fixed functions can't draw to words, not even depth.
-        m_bytes = framebuffer(bytes ? textures[0] : 0);
         m_words = framebuffer(textures[bytes ? 1 : 0]);
+        m_bytes = bytes ? framebuffer(textures[0]) : depth ? framebuffer(0) : m_words;
         gl.Viewport(0, 0, m_width, m_height);
     }
 

@@ -103,7 +103,8 @@ class EachUnit : public testing::TestWithParam<Case> {
   protected:
     /// The PS2's alpha is 1 at 128: OpenGL's 255.
     static Rgba entering(Rgba source) {
-        if (GetParam().unit == BlendUnit::Gs) source[3] = (2 * source[3] * 128 + 255) / 510;
+        if (GetParam().unit == BlendUnit::Gs || GetParam().unit == BlendUnit::GsWrap)
+            source[3] = (2 * source[3] * 128 + 255) / 510;
         return source;
     }
 
@@ -115,7 +116,8 @@ class EachUnit : public testing::TestWithParam<Case> {
         const std::vector<Rgba> before = square.codes();
         gl.Enable(GL_BLEND);
         gl.BlendFunc(glEnum(state.source), glEnum(state.destination));
-        gl.BlendEquation(glEnum(BlendEquation(state.operation)));
+        const bool wraps = state.operation == BlendOperation::AddWrap;
+        gl.BlendEquation(wraps ? GL_FUNC_ADD_WRAP : glEnum(BlendEquation(state.operation)));
         gl.BlendColor(0.2f, 0.4f, 0.6f, 0.8f);
         square.drawColumns(sourceOf);
         const std::vector<Rgba> after = square.codes();
@@ -142,8 +144,9 @@ TEST_P(EachUnit, BlendsAsItsIntegerFunctionDoes) {
     Square square(format(c.format),
                   {.fidelity = Fidelity::Chip, .unit = c.unit, .dither = c.dither, .undithered = c.dither});
     int states = 0;
-    for (const BlendOperation operation : {BlendOperation::Add, BlendOperation::Subtract,
-                                           BlendOperation::ReverseSubtract, BlendOperation::Min}) {
+    for (const BlendOperation operation :
+         {BlendOperation::Add, BlendOperation::Subtract, BlendOperation::ReverseSubtract, BlendOperation::Min,
+          BlendOperation::AddWrap}) {
         for (int source = 0; source < 15; ++source) {
             for (int destination = 0; destination < 15; ++destination) {
                 // All pairs are too many: each factor meets one, zero and itself.
@@ -174,7 +177,14 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{BlendUnit::PowerVr}, Case{BlendUnit::Flipper, "6666"}, Case{BlendUnit::Ge, "565"},
                     Case{BlendUnit::Ge, "4444"}, Case{BlendUnit::Nv2a}, Case{BlendUnit::Nv2a, "565"},
                     Case{BlendUnit::Nv2a, "555"}, Case{BlendUnit::Virge, "555"}, Case{BlendUnit::Rdp, "5551"},
-                    Case{BlendUnit::Nv3, "555"}, Case{BlendUnit::Gs, "5551"}),
+                    Case{BlendUnit::Nv3, "555"}, Case{BlendUnit::Gs, "5551"},
+                    Case{BlendUnit::Gs, "5551", DitherMode::Gs}, Case{BlendUnit::GsWrap, "888"},
+                    Case{BlendUnit::Virge, "555", DitherMode::Virge}, Case{BlendUnit::Virge, "888"},
+                    Case{BlendUnit::Rdp, "5551", DitherMode::RdpMagic},
+                    Case{BlendUnit::Rdp, "8888", DitherMode::RdpBayer},
+                    Case{BlendUnit::Ge, "5551", DitherMode::Ge}, Case{BlendUnit::Psx, "555", DitherMode::Psx},
+                    Case{BlendUnit::Ds, "6666"}, Case{BlendUnit::PowerVr, "4444"},
+                    Case{BlendUnit::IdealFloor, "1555"}),
     [](const auto& test) {
         const Case& c = test.param;
         return fmt::format("{}_{}_{}", name(c.unit), c.format, name(c.dither));
