@@ -12,6 +12,7 @@
 #include "gl/blend_program.h"
 #include "gl/link_program.h"
 #include "gl/words.h"
+#include "profile/pixel.h"
 
 namespace gnomon {
 namespace {
@@ -140,12 +141,14 @@ class Emulation {
   private:
     bool isGs() const { return m_chip.unit == BlendUnit::Gs || m_chip.unit == BlendUnit::GsWrap; }
 
+    DitherMode ditherMode() const { return s.dither ? m_chip.dither : m_chip.undithered; }
+
     /// Whether the words are what OpenGL's RGBA8 holds.
     bool isBytes() const { return m_format.red == 8 && m_format.green == 8 && m_format.blue == 8; }
 
     /// Whether OpenGL's own store gives what the chip's would for the state as it is.
     bool storesAsOpenGl(unsigned channels) const {
-        if (!isBytes() || (isGs() && (channels & 8))) return false;
+        if (!isBytes() || (isGs() && (channels & 8)) || dithers(ditherMode(), 8)) return false;
         if (s.invert && s.logicOp == GL_INVERT) return true;
         if (!s.blend) return true;
         const bool wraps = s.equation[0] == BlendEquation::AddWrap || s.equation[1] == BlendEquation::AddWrap;
@@ -207,7 +210,7 @@ class Emulation {
     EmulatedDraw stateFor(unsigned channels, bool otherDepth) const {
         EmulatedDraw state{.format = m_format,
                            .chip = m_chip,
-                           .dither = s.dither ? m_chip.dither : m_chip.undithered,
+                           .dither = ditherMode(),
                            .channels = channels,
                            .blends = s.blend && !s.invert,
                            .inverts = s.invert && s.logicOp == GL_INVERT,

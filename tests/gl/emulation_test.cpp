@@ -6,6 +6,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <set>
+#include <tuple>
+
 #include "gl/surface.h"
 #include "gl/words.h"
 #include "profile/frame_channel.h"
@@ -51,6 +54,13 @@ class Square {
     void drawColumns(const std::function<Rgba(int)>& colour) { draw(m_columns, colour); }
     /// Rows from the bottom.
     void drawRows(const std::function<Rgba(int)>& colour) { draw(m_rows, colour); }
+
+    /// One rectangle over all in the current colour.
+    void fill() {
+        static constexpr std::array<float, 8> kAll{-1, -1, 1, -1, 1, 1, -1, 1};
+        gl.VertexPointer(2, GL_FLOAT, 0, kAll.data());
+        gl.DrawArrays(GL_QUADS, 0, 4);
+    }
 
     /// The codes as they stand, by row from the bottom.
     std::vector<Rgba> codes() {
@@ -101,69 +111,175 @@ struct Case {
 
 class EachUnit : public testing::TestWithParam<Case> {
   protected:
+    FrameState frameAt(int x, int y) const {
+        return {GetParam().unit, format(GetParam().format), GetParam().dither, x, kSide - 1 - y};
+    }
+
+    ChipArithmetic chip() const {
+        return {.fidelity = Fidelity::Chip,
+                .unit = GetParam().unit,
+                .dither = GetParam().dither,
+                .undithered = GetParam().dither};
+    }
+
+    bool isGs() const { return GetParam().unit == BlendUnit::Gs || GetParam().unit == BlendUnit::GsWrap; }
+
     /// The PS2's alpha is 1 at 128: OpenGL's 255.
-    static Rgba entering(Rgba source) {
-        if (GetParam().unit == BlendUnit::Gs || GetParam().unit == BlendUnit::GsWrap)
-            source[3] = (2 * source[3] * 128 + 255) / 510;
+    Rgba entering(Rgba source) const {
+        if (isGs()) source[3] = (2 * source[3] * 128 + 255) / 510;
         return source;
     }
 
-    /// Blends all sources over all destinations; how many pixels are not what blendInto() says.
-    int differences(Square& square, const BlendState& state, std::string& first) {
-        const GlTable& gl = square.gl;
-        gl.Disable(GL_BLEND);
-        square.drawRows(destinationOf);
-        const std::vector<Rgba> before = square.codes();
-        gl.Enable(GL_BLEND);
-        gl.BlendFunc(glEnum(state.source), glEnum(state.destination));
-        const bool wraps = state.operation == BlendOperation::AddWrap;
-        gl.BlendEquation(wraps ? GL_FUNC_ADD_WRAP : glEnum(BlendEquation(state.operation)));
-        gl.BlendColor(0.2f, 0.4f, 0.6f, 0.8f);
-        square.drawColumns(sourceOf);
-        const std::vector<Rgba> after = square.codes();
+    /// How many pixels are not what blendInto() says, after @p state blended sourceOf(x + @p shift) over
+    /// @p before.
+    int differences(const BlendState& state, int shift, const std::vector<Rgba>& before,
+                    const std::vector<Rgba>& after, std::string& first) const {
         int wrong = 0;
         for (int y = 0; y < kSide; ++y)
             for (int x = 0; x < kSide; ++x) {
                 const auto i = std::size_t(y) * kSide + std::size_t(x);
-                const FrameState frame{GetParam().unit, format(GetParam().format), GetParam().dither, x,
-                                       kSide - 1 - y};
-                const auto expected = blendInto(frame, state, entering(sourceOf(x)), before[i]);
+                const Rgba source = sourceOf((x + shift) & 255);
+                const auto expected = blendInto(frameAt(x, y), state, entering(source), before[i]);
                 if (expected && *expected == after[i]) continue;
                 if (wrong++ == 0)
                     first = fmt::format("{} {}: S {} D {}: {} instead of {}", name(state.source),
-                                        name(state.destination), testing::PrintToString(sourceOf(x)),
+                                        name(state.destination), testing::PrintToString(source),
                                         testing::PrintToString(before[i]), testing::PrintToString(after[i]),
                                         testing::PrintToString(*expected));
             }
         return wrong;
     }
+
+    static void blend(const GlTable& gl, const BlendState& state) {
+        gl.Enable(GL_BLEND);
+        gl.BlendFunc(glEnum(state.source), glEnum(state.destination));
+        const bool wraps = state.operation == BlendOperation::AddWrap;
+        gl.BlendEquation(wraps ? GL_FUNC_ADD_WRAP : glEnum(BlendEquation(state.operation)));
+        gl.BlendColor(0.2f, 0.4f, 0.6f, 0.8f);
+    }
 };
 
-TEST_P(EachUnit, BlendsAsItsIntegerFunctionDoes) {
-    const Case& c = GetParam();
-    Square square(format(c.format),
-                  {.fidelity = Fidelity::Chip, .unit = c.unit, .dither = c.dither, .undithered = c.dither});
-    int states = 0;
-    for (const BlendOperation operation :
-         {BlendOperation::Add, BlendOperation::Subtract, BlendOperation::ReverseSubtract, BlendOperation::Min,
-          BlendOperation::AddWrap}) {
-        for (int source = 0; source < 15; ++source) {
-            for (int destination = 0; destination < 15; ++destination) {
-                // All pairs are too many: each factor meets one, zero and itself.
-                const bool few = destination <= 1 || source <= 1 || source == destination ||
-                                 (source ^ 1) == (destination ^ 0);
-                if (!few || (operation != BlendOperation::Add && source != destination)) continue;
-                BlendState state{BlendFactor(source), BlendFactor(destination), operation,
-                                 entering({51, 102, 153, 204})};
-                if (!blendInto({c.unit, format(c.format), c.dither, 0, 0}, state, sourceOf(9), {1, 1, 1, 1}))
-                    continue;
-                ++states;
-                std::string first;
-                EXPECT_EQ(differences(square, state, first), 0) << first;
-            }
-        }
+/// The states that a unit has: each factor on each side, the pairs that belong together, each equation.
+std::vector<BlendState> statesOf(const FrameState& frame, const Rgba& constant) {
+    using enum BlendFactor;
+    std::set<std::tuple<BlendFactor, BlendFactor, BlendOperation>> wanted;
+    for (int factor = 0; factor < 15; ++factor) {
+        wanted.insert({BlendFactor(factor), Zero, BlendOperation::Add});
+        wanted.insert({One, BlendFactor(factor), BlendOperation::Add});
     }
-    EXPECT_GT(states, 1);
+    for (const BlendFactor factor : {SrcColor, DstColor, SrcAlpha, DstAlpha, ConstantColor, ConstantAlpha}) {
+        wanted.insert({factor, BlendFactor(int(factor) + 1), BlendOperation::Add});
+        wanted.insert({BlendFactor(int(factor) + 1), factor, BlendOperation::Add});
+    }
+    for (const BlendOperation operation : {BlendOperation::Subtract, BlendOperation::ReverseSubtract,
+                                           BlendOperation::Min, BlendOperation::Max, BlendOperation::AddWrap})
+        for (const auto& [source, destination] : {std::pair(One, One), {SrcAlpha, One}, {DstColor, SrcColor}})
+            wanted.insert({source, destination, operation});
+    std::vector<BlendState> states;
+    for (const auto& [source, destination, operation] : wanted) {
+        const BlendState state{source, destination, operation, constant};
+        if (blendInto(frame, state, sourceOf(9), {1, 1, 1, 1})) states.push_back(state);
+    }
+    return states;
+}
+
+TEST_P(EachUnit, BlendsAllValuesAsItsIntegerFunctionDoes) {
+    Square square(format(GetParam().format), chip());
+    std::vector<Rgba> before;
+    const std::vector<BlendState> states = statesOf(frameAt(0, 0), entering({51, 102, 153, 204}));
+    EXPECT_GT(states.size(), 0u);
+    for (const BlendState& state : states) {
+        square.gl.Disable(GL_BLEND);
+        square.drawRows(destinationOf);
+        if (before.empty()) before = square.codes();
+        blend(square.gl, state);
+        square.drawColumns(sourceOf);
+        std::string first;
+        EXPECT_EQ(differences(state, 0, before, square.codes(), first), 0) << first;
+    }
+}
+
+// All values at each of the matrix's cells: opaque, and under one blend.
+TEST_P(EachUnit, DithersAllValuesInAllCells) {
+    if (GetParam().dither == DitherMode::Off) return;
+    Square square(format(GetParam().format), chip());
+    const std::vector<BlendState> states = statesOf(frameAt(0, 0), {});
+    const auto added = std::find_if(states.begin(), states.end(), [](const BlendState& s) {
+        return s.source == BlendFactor::SrcAlpha && s.destination == BlendFactor::OneMinusSrcAlpha;
+    });
+    const BlendState& state = added == states.end() ? states.back() : *added;
+    for (int rows = 0; rows < 4; ++rows)
+        for (int columns = 0; columns < 4; ++columns) {
+            square.gl.Disable(GL_BLEND);
+            square.drawRows([&](int y) { return destinationOf((y + rows) & 255); });
+            const std::vector<Rgba> before = square.codes();
+            int wrong = 0;
+            for (int y = 0; y < kSide; ++y)
+                for (int x = 0; x < kSide; ++x) {
+                    const Rgba value = entering(destinationOf((y + rows) & 255));
+                    for (std::size_t c = 0; c < 3; ++c) {
+                        const FrameState frame = frameAt(x, y);
+                        const FrameChannel channel{frame.unit, channelBits(square.m_format, int(c)),
+                                                   frame.dither, ditherCell(frame.dither, frame.x, frame.y)};
+                        wrong += stored(channel, enteringSource(channel, value[c])) !=
+                                 before[std::size_t(y) * kSide + std::size_t(x)][c];
+                    }
+                }
+            EXPECT_EQ(wrong, 0);
+            blend(square.gl, state);
+            square.drawColumns([&](int x) { return sourceOf((x + columns) & 255); });
+            std::string first;
+            EXPECT_EQ(differences(state, columns, before, square.codes(), first), 0) << first;
+        }
+}
+
+// The arithmetic of masks: one colour for a whole draw, which the program may be made for.
+TEST_P(EachUnit, DoublesHalvesAndInvertsAllCodesAsMasksWantIt) {
+    const BlendUnit unit = GetParam().unit;
+    if (unit == BlendUnit::IdealRound || unit == BlendUnit::IdealFloor) return;  // they work on codes there
+    Square square(format(GetParam().format), chip());
+    struct Step {
+        MaskOperation operation{};
+        BlendFactor source{}, destination{};
+        int grey = 255;
+    };
+    using enum BlendFactor;
+    for (const Step& step :
+         {Step{MaskOperation::Double, DstColor, One}, Step{MaskOperation::Halve, DstColor, Zero, 128},
+          Step{MaskOperation::Halve, DstColor, Zero, 127}, Step{MaskOperation::Halve, Zero, SrcColor, 128},
+          Step{MaskOperation::Invert, OneMinusDstColor, Zero}}) {
+        square.gl.Disable(GL_BLEND);
+        square.drawRows(destinationOf);
+        const std::vector<Rgba> before = square.codes();
+        blend(square.gl, {step.source, step.destination});
+        const float grey = float(step.grey) / 255;
+        square.gl.Color4f(grey, grey, grey, 1);
+        const auto channelAt = [&](int c, int x, int y) {
+            const FrameState frame = frameAt(x, y);
+            return FrameChannel{unit, channelBits(square.m_format, c), frame.dither,
+                                ditherCell(frame.dither, frame.x, frame.y)};
+        };
+        if (!apply(channelAt(0, 0, 0), step.operation, 1, step.grey)) continue;
+        // apply() means black over the mask on the RIVA, and on the PlayStation the average with black.
+        if (unit == BlendUnit::Nv3 || unit == BlendUnit::Psx) continue;
+        // The same setting as (dst_color, zero) where the constant goes into a weight; another product else.
+        const bool toWeight =
+            isGs() || unit == BlendUnit::Rdp || unit == BlendUnit::Virge || unit == BlendUnit::Ds;
+        if (step.destination == SrcColor && !toWeight) continue;
+        square.fill();
+        const std::vector<Rgba> after = square.codes();
+        int wrong = 0;
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x)
+                for (int c = 0; c < 3; ++c) {
+                    const auto i = std::size_t(y) * kSide + std::size_t(x);
+                    const FrameChannel channel = channelAt(c, x, y);
+                    const auto expected =
+                        apply(channel, step.operation, before[i][std::size_t(c)], step.grey);
+                    wrong += expected && *expected != after[i][std::size_t(c)];
+                }
+        EXPECT_EQ(wrong, 0) << name(step.source) << " " << step.grey;
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
