@@ -1,0 +1,211 @@
+/// What the chips' own arithmetic costs beside OpenGL's blending, on one core of this machine.
+///
+/// Frames of 1024x1024 of the shipped scenes, drawn through the capability layer as the program draws them;
+/// the time is that of the frame with the timed passes eight times over, less that without them, by thread
+/// CPU time.
+///
+/// - Mask/SCENE/PROFILE/gl, .../chip: the mask of roettger-screen (PS2: screen-texture), volumes and
+/// rectangles
+/// - Rectangle/PROFILE/gl, .../chip: its rectangles alone
+/// - Volumes/SCENE/stencil, .../alpha/gl, .../alpha/chip: the volume passes of heidmann and of roettger-alpha
+/// - Smoke: one small frame of each kind
+///
+/// --table prints ratios: each repetition's chip to its gl, and alpha to stencil, with the bars.
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "gl/renderer.h"
+#include "gl/tools.h"
+#include "scene/scene_file.h"
+
+namespace gnomon {
+namespace {
+
+constexpr int kSide = 1024;
+
+Scene shippedScene(const std::string& id) {
+    return loadSceneFile(std::filesystem::path(GNOMON_SOURCE) / "scenes" / (id + ".toml"));
+}
+
+/// No old chip of 16 bits drew frames of this size; its arithmetic doesn't mind.
+Profile withoutLimits(Profile profile) {
+    profile.maxWidth = profile.maxHeight = 0;
+    profile.frameBytes = 0;
+    profile.maxTextureSize = std::max(profile.maxTextureSize, kSide);
+    return profile;
+}
+
+/// One method on one chip, ready to be drawn again and again: as it is but for the passes that are timed,
+/// which are left out, and with each of them several times.
+class Easel {
+  public:
+    Easel(const std::string& scene, const std::string& profile, const std::string& method, Fidelity fidelity,
+          bool (*isTimed)(const Pass&), int side = kSide)
+        : m_profile(withoutLimits(chip(profile))),
+          m_frame(frameOf(shippedScene(scene), side, side)),
+          m_surface(bufferFormatOf(m_profile), side, side, arithmeticOf(m_profile, {.fidelity = fidelity})) {
+        Plan plan = planFrame(findMethod(method)->axes, shapeOf(int(m_frame.volumes().size()), side, side),
+                              m_profile);
+        std::size_t end = plan.masks.front().after;
+        for (std::size_t i = 0; i < end; ++i)
+            if (plan.passes[i].kind == PassKind::Copy) end = i;
+        plan.masks.clear();
+        m_without = m_with = plan;
+        m_without.passes.clear();
+        m_with.passes.clear();
+        for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+            const bool timed = i < end && isTimed(plan.passes[i]);
+            if (!timed) m_without.passes.push_back(plan.passes[i]);
+            m_with.passes.push_back(plan.passes[i]);
+            const bool ends = timed && !(i + 1 < end && isTimed(plan.passes[i + 1]));
+            if (ends) {
+                // The whole run of timed passes once more and again.
+                std::size_t begin = i;
+                while (begin > 0 && isTimed(plan.passes[begin - 1])) --begin;
+                for (int times = 1; times < kTimes; ++times)
+                    for (std::size_t k = begin; k <= i; ++k) m_with.passes.push_back(plan.passes[k]);
+            }
+        }
+        draw();  // programs are compiled here
+    }
+
+    /// Thread CPU time of the timed passes, milliseconds.
+    double draw() { return (frame(m_with) - frame(m_without)) / kTimes; }
+
+  private:
+    double frame(const Plan& plan) {
+        return render(m_surface, m_profile, plan, m_frame.surfaces, m_frame.lights()).cpuMs;
+    }
+
+    static constexpr int kTimes = 8;
+    Profile m_profile;
+    Frame m_frame;
+    Surface m_surface;
+    Plan m_with{}, m_without{};
+};
+
+bool isVolume(const Pass& pass) {
+    return pass.kind == PassKind::Volume;
+}
+bool isRectangle(const Pass& pass) {
+    return pass.kind == PassKind::Rectangle;
+}
+bool isOfMask(const Pass& pass) {
+    return isVolume(pass) || isRectangle(pass);
+}
+
+void add(const std::string& name, const std::string& scene, const std::string& profile,
+         const std::string& method, Fidelity fidelity, bool (*counts)(const Pass&)) {
+    benchmark::RegisterBenchmark(
+        name.c_str(),
+        [=](benchmark::State& state) {
+            static std::map<std::string, std::unique_ptr<Easel>> easels;
+            auto& easel = easels[scene + profile + method + name.substr(name.rfind('/'))];
+            if (!easel) easel = std::make_unique<Easel>(scene, profile, method, fidelity, counts);
+            for ([[maybe_unused]] const auto _ : state)
+                state.SetIterationTime(std::max(easel->draw(), 1e-6) / 1e3);
+        })
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond)
+        ->Iterations(1);
+}
+
+void addAll() {
+    for (const std::string scene : {"roettger", "boxes", "knot"}) {
+        for (const std::string profile : {"voodoo2", "ps2", "tnt", "geforce2mx"}) {
+            const std::string method = profile == "ps2" ? "screen-texture" : "roettger-screen";
+            for (const Fidelity fidelity : {Fidelity::Gl, Fidelity::Chip}) {
+                add(fmt::format("Mask/{}/{}/{}", scene, profile, name(fidelity)), scene, profile, method,
+                    fidelity, isOfMask);
+                if (scene == "boxes")
+                    add(fmt::format("Rectangle/{}/{}", profile, name(fidelity)), scene, profile, method,
+                        fidelity, isRectangle);
+            }
+        }
+        add(fmt::format("Volumes/{}/stencil", scene), scene, "geforce2mx", "heidmann", Fidelity::Gl,
+            isVolume);
+        for (const Fidelity fidelity : {Fidelity::Gl, Fidelity::Chip})
+            add(fmt::format("Volumes/{}/alpha/{}", scene, name(fidelity)), scene, "geforce2mx",
+                "roettger-alpha", fidelity, isVolume);
+    }
+    benchmark::RegisterBenchmark("Smoke", [](benchmark::State& state) {
+        Easel alpha("boxes", "geforce2mx", "roettger-alpha", Fidelity::Chip, isVolume, 64);
+        Easel screen("boxes", "voodoo2", "roettger-screen", Fidelity::Chip, isOfMask, 64);
+        for ([[maybe_unused]] const auto _ : state)
+            if (alpha.draw() + screen.draw() <= 0)
+                state.SkipWithError("no pass is timed");
+    })->Iterations(1);
+}
+
+/// Prints each ratio as the median of the repetitions' ratios, with the least and the greatest.
+class RatioReporter : public benchmark::BenchmarkReporter {
+  public:
+    bool ReportContext(const Context&) override { return true; }
+    void ReportRuns(const std::vector<Run>& runs) override {
+        for (const Run& run : runs)
+            if (run.run_type == Run::RT_Iteration && !run.error_occurred)
+                m_times[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+    }
+    void Finalize() override {
+        fmt::print("{:<28}{:>10}{:>10}  {:<24}{}\n", "", "ms", "beside ms", "ratio (min to max)", "bar");
+        for (const auto& [name, times] : m_times) {
+            const bool chip = name.ends_with("/chip");
+            if (name.starts_with("Volumes/") && !name.ends_with("stencil"))
+                row(name, name.substr(0, name.find("/alpha")) + "/stencil", chip ? "1.3" : "");
+            else if (chip)
+                row(name, name.substr(0, name.size() - 4) + "gl", "1.0");
+        }
+        std::fflush(stdout);
+    }
+
+  private:
+    static double median(std::vector<double> values) {
+        std::sort(values.begin(), values.end());
+        return values[values.size() / 2];
+    }
+    void row(const std::string& name, const std::string& other, const char* bar) const {
+        const auto beside = m_times.find(other);
+        if (beside == m_times.end()) return;
+        const std::vector<double>& times = m_times.at(name);
+        std::vector<double> ratios;
+        for (std::size_t i = 0; i < std::min(times.size(), beside->second.size()); ++i)
+            ratios.push_back(times[i] / beside->second[i]);
+        const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
+        fmt::print("{:<28}{:>10.1f}{:>10.1f}  {:<24}{}\n", name, median(times), median(beside->second),
+                   fmt::format("{:.2f} ({:.2f} to {:.2f})", median(ratios), *low, *high), bar);
+    }
+    std::map<std::string, std::vector<double>> m_times{};
+};
+
+}  // namespace
+}  // namespace gnomon
+
+int main(int argc, char** argv) {
+    std::vector<char*> arguments(argv, argv + argc);
+    const auto table = std::find_if(arguments.begin() + 1, arguments.end(),
+                                    [](const char* argument) { return std::string(argument) == "--table"; });
+    const bool asTable = table != arguments.end();
+    static std::string repetitions = "--benchmark_repetitions=9",
+                       interleaved = "--benchmark_enable_random_interleaving=true",
+                       noSmoke = "--benchmark_filter=-Smoke";
+    if (asTable) {
+        arguments.erase(table);
+        for (std::string* option : {&repetitions, &interleaved, &noSmoke})
+            arguments.insert(arguments.begin() + 1, option->data());
+    }
+    int count = int(arguments.size());
+    benchmark::Initialize(&count, arguments.data());
+    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
+    gnomon::addAll();
+    gnomon::RatioReporter reporter;
+    if (asTable)
+        benchmark::RunSpecifiedBenchmarks(&reporter);
+    else
+        benchmark::RunSpecifiedBenchmarks();
+    benchmark::Shutdown();
+    return 0;
+}
