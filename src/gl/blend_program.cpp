@@ -486,10 +486,10 @@ std::string sourceText(const EmulatedDraw& state) {
 
 std::string depthText(const EmulatedDraw& state) {
     switch (state.chip.depth) {
-        case DepthEncoding::Linear: {
-            const double most = double((1u << state.format.depth) - 1);
-            return fmt::format("    gl_FragDepth = floor(gl_FragCoord.z * {0:.1f} + 0.5) / {0:.1f};\n", most);
-        }
+        case DepthEncoding::Linear:
+            return fmt::format(
+                "    gl_FragDepth = float(linear(int(gl_FragCoord.z * 16777216.0), {})) / {}.0;\n",
+                state.format.depth, (1u << state.format.depth) - 1);
         case DepthEncoding::VoodooW:
             return "    gl_FragDepth = float(voodooW(beyond * gl_FragCoord.w)) / 65535.0;\n";
         case DepthEncoding::N64:
@@ -509,6 +509,11 @@ int voodooDithered5(int v, int cell) { return (2 * v - (v >> 4) + (v >> 7) + cel
 int voodooDithered6(int v, int cell) { return (4 * v - (v >> 4) + (v >> 6) + cell) >> 4; }
 int virgeDithered(int v, int cell) { return v > 248 ? 31 : (v + cell) >> 3; }
 int rdpDithered(int v, int cell) { return (v & 7) <= cell ? v : v > 247 ? 255 : (v & 248) + 8; }
+// The nearest of 2^bits - 1 steps; z in units of 2^-24.
+int linear(int z, int bits) {
+    int low = z & (1 << 24 - bits) - 1;
+    return (z >> 24 - bits) + ((low << bits) - z + (1 << 23) >> 24);
+}
 // 4 bits of exponent, 12 of mantissa: those of the float.
 int voodooW(float inverse) {
     uint bits = floatBitsToUint(inverse);
