@@ -114,6 +114,8 @@ std::string cellText(const Entry& e, const std::string& profile, Notes& notes) {
     }
     std::vector<std::string> letters;
     for (const Missing& m : e.missing) letters.push_back(notes.letter(m.what, m.source, profile));
+    std::sort(letters.begin(), letters.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); });
     return fmt::format("- {}", fmt::join(letters, ","));
 }
 

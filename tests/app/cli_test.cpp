@@ -384,8 +384,8 @@ TEST_F(Program, PrintsOneJsonArray) {
 TEST_F(Program, KeepsNotesOffTheJson) {
     const std::string mesh = write(
         "mesh.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nf 1 1 2\n");
-    const Outcome outcome =
-        run({"matrix", mesh, "--size", "16x16", "--method", "heidmann", "--format", "json"});
+    const Outcome outcome = run({"matrix", mesh, "--size", "16x16", "--method", "heidmann", "--profile",
+                                 "ideal", "--format", "json"});
     EXPECT_EQ(outcome.status, 0);
     EXPECT_THAT(outcome.err, HasSubstr("degenerate"));
     EXPECT_TRUE(Json::accept(outcome.out));
@@ -485,8 +485,8 @@ TEST_F(Program, SaysWhichPathAChipTakesAndWhyNotTheOthers) {
 }
 
 TEST_F(Program, MarksThePathInTheMatrix) {
-    const Outcome outcome =
-        run({"matrix", "roettger", "--size", "32x24", "--frames", "0", "--format", "json"});
+    const Outcome outcome = run({"matrix", "roettger", "--size", "32x24", "--frames", "0", "--profile",
+                                 "ideal,tnt,geforce2mx,voodoo1,voodoo2,voodoo3,ps2", "--format", "json"});
     std::vector<std::string> chosen;
     for (const Json& cell : Json::parse(outcome.out))
         if (cell["chosen"])
