@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -144,6 +145,21 @@ std::vector<Column> folded(const std::vector<Column>& columns) {
     return groups;
 }
 
+/// @p chips by the heads of their columns, where all chips of a column are meant.
+std::string headsText(const std::vector<std::string>& chips, const std::vector<Column>& columns) {
+    const auto isMeant = [&](const std::string& chip) {
+        return std::find(chips.begin(), chips.end(), chip) != chips.end();
+    };
+    std::vector<std::string> words;
+    for (const Column& column : columns) {
+        if (std::all_of(column.chips.begin(), column.chips.end(), isMeant))
+            words.push_back(column.head());
+        else
+            std::copy_if(column.chips.begin(), column.chips.end(), std::back_inserter(words), isMeant);
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
 /// The widest line of a table; what is wider goes on in a further block.
 constexpr std::size_t kWidestTable = 140;
 
@@ -169,7 +185,8 @@ std::string blocksOf(const std::vector<std::string>& methods, const std::vector<
     return text;
 }
 
-std::string tableOf(const std::vector<const Cell*>& cells) {
+/// One table with its legend and causes; what is refused or failed goes into @p notes.
+std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     std::vector<std::string> profiles, methods;
     std::vector<int> frames;
     std::map<std::pair<std::string, std::string>, std::vector<const Cell*>> entries;
@@ -184,10 +201,9 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
         entries[{row, cell->profile}].push_back(cell);
     }
 
-    Notes notes;
     std::vector<Column> columns;
     for (const std::string& profile : profiles) columns.push_back({{profile}, {}});
-    std::vector<std::string> causes;
+    std::vector<std::pair<std::string, std::vector<std::string>>> causes;  // what, chips
     for (const std::string& method : methods) {
         std::map<std::string, std::vector<std::string>> causesHere;  // cause -> chips
         for (std::size_t i = 0; i < profiles.size(); ++i) {
@@ -197,7 +213,7 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
                 causesHere[fmt::format("{}: {}", cause, pixels)].push_back(profiles[i]);
         }
         for (const auto& [cause, where] : causesHere)
-            causes.push_back(fmt::format("{}: {} ({})", method, cause, chipsText(where, profiles)));
+            causes.emplace_back(fmt::format("{}: {}", method, cause), where);
     }
     const std::vector<Column> groups = folded(columns);
 
@@ -210,10 +226,9 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
             legend += fmt::format(
                 "  {}\n", wrapText(fmt::format("{}: {}", group.head(), fmt::join(group.chips, " ")), 5));
     if (!legend.empty()) text += "\nChips that are alike in every row\n" + legend;
-    const std::string noteText = notes.text(profiles);
-    if (!noteText.empty()) text += "\nNotes: refused for want of\n" + noteText;
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
-    for (const std::string& cause : causes) text += fmt::format("  {}\n", wrapText(cause, 5));
+    for (const auto& [cause, where] : causes)
+        text += fmt::format("  {}\n", wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5));
     return text;
 }
 
@@ -222,13 +237,18 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
 std::string matrixText(const std::vector<Cell>& cells) {
     std::vector<std::tuple<std::string, int, int>> keys;
     std::map<std::tuple<std::string, int, int>, std::vector<const Cell*>> tables;
+    std::vector<std::string> profiles;
     for (const Cell& cell : cells) {
         const std::tuple key(cell.scene, cell.width, cell.height);
         addOnce(keys, key);
         tables[key].push_back(&cell);
+        addOnce(profiles, cell.profile);
     }
     std::string text;
-    for (const auto& key : keys) text += tableOf(tables[key]) + "\n";
+    Notes notes;
+    for (const auto& key : keys) text += tableOf(tables[key], notes) + "\n";
+    const std::string noteText = notes.text(profiles);
+    if (!noteText.empty()) text += fmt::format("Notes: refused for want of\n{}\n", noteText);
     text +=
         "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all frames, at "
         "the\n"

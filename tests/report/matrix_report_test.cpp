@@ -202,11 +202,22 @@ TEST(MatrixText, NamesTheOthersWhereNearlyAllChipsAreMeant) {
                 AllOf(HasSubstr(" all but ideal: not in the profile\n"), HasSubstr(" ideal: itself\n")));
 }
 
-// Each footnote once, however many blocks and chips it stands for.
+TEST(MatrixText, NamesCausesByTheHeadsOfColumns) {
+    auto all = cellsOf({"tnt", "voodoo1", "tnt2", "voodoo2", "xbox"});
+    EXPECT_THAT(matrixText(all), AllOf(HasSubstr("roettger-screen: rounding: 116 (tnt +1)\n"),
+                                       HasSubstr("roettger-screen: rounding: 120 (xbox)\n")));
+    all[0].causes = {{"dither", 116}};  // the same verdict for another reason
+    EXPECT_THAT(matrixText(all),
+                AllOf(HasSubstr("dither: 116 (tnt)\n"), HasSubstr("rounding: 116 (tnt2)\n")));
+}
+
+// Each footnote once, however many tables, blocks and chips it stands for.
 TEST(MatrixText, SaysEachNoteOnce) {
     std::vector<std::string> ids;
     for (char letter = 'a'; letter <= 'z'; ++letter) ids.push_back(letter + std::string("-chip"));
-    const std::string text = matrixText(cellsOf(ids));
+    auto all = cellsOf(ids);
+    for (Cell c : cellsOf(ids)) c.scene = "knot", all.push_back(c);
+    const std::string text = matrixText(all);
     int notes = 0;
     for (const std::string& line : linesOf(text)) notes += line == "  a  stencil";
     EXPECT_EQ(notes, 1);
