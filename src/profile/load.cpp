@@ -35,6 +35,7 @@ struct Value {
     const std::string& file;
     const std::string& key;
     const toml::node& node;
+    bool sourced = false;  ///< its fact has a source, so that "nothing" says something
 
     [[noreturn]] void refuse(const std::string& what) const { fail(file, lineOf(node), what); }
 
@@ -94,7 +95,9 @@ struct Value {
     auto list(Read read) const {
         const toml::array* array = node.as_array();
         if (!array) refuse(fmt::format("{} must be an array", key));
-        if (array->empty()) refuse(fmt::format("{} is empty: leave it out if the chip has none", key));
+        if (array->empty() && !sourced)
+            refuse(fmt::format("{} is empty: leave it out if the chip has none, or say where that is from",
+                               key));
 
         std::vector<decltype(read(*this))> elements;
         std::set<std::string> seen;
@@ -112,6 +115,7 @@ struct Value {
         if (const auto* array = node.as_array()) {
             std::vector<std::string> elements;
             for (const toml::node& item : *array) elements.push_back(Value{file, key, item}.written());
+            if (elements.empty()) return "none";
             return fmt::format("{}", fmt::join(elements, ", "));
         }
         if (const auto string = node.value_exact<std::string>()) return *string;
@@ -170,9 +174,9 @@ void readColourFormats(Profile& profile, const Value& value) {
 }
 
 void readDepthBits(Profile& profile, const Value& value) {
-    profile.depth = true;
     profile.depthBits =
         value.list([](const Value& element) { return static_cast<int>(element.whole(1, 32)); });
+    profile.depth = !profile.depthBits.empty();
 }
 
 struct Field {
@@ -268,36 +272,101 @@ std::vector<std::pair<toml::key, const toml::node*>> inFileOrder(const toml::tab
     return entries;
 }
 
+/// "KEY [grade]: document".
+Profile::Source readSource(const Value& value) {
+    const std::string text = value.text();
+    const auto open = text.find(" ["), close = text.find("]: ");
+    if (open == 0 || open == std::string::npos || close == std::string::npos || close < open)
+        value.refuse(fmt::format("\"{}\" in sources must be \"KEY [grade]: document\"", text));
+    const std::string key = "the grade of a source";
+    return {text.substr(0, open),
+            Value{value.file, key, value.node}.word<Evidence>(text.substr(open + 2, close - open - 2)),
+            text.substr(close + 3)};
+}
+
+void readSources(Profile& profile, const Value& value) {
+    profile.sources = value.list(readSource);
+    for (std::size_t i = 0; i < profile.sources.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+            if (profile.sources[i].key == profile.sources[j].key)
+                value.refuse(fmt::format("sources has {} twice", profile.sources[i].key));
+}
+
+/// What the parts "source" and "grade" of a fact say, and where; graded when all of the file is read.
+struct Claim {
+    std::string text{};
+    std::size_t line = 0;
+    std::optional<Evidence> grade{};
+};
+
 /// Reads "{ value = ..., source = ..., also = ..., grade = ... }" or a plain value, and notes it as a fact.
-void readFact(const std::string& file, const std::string& key, const toml::node& node, const Read& read,
-              Profile& profile) {
+Claim readFact(const std::string& file, const std::string& key, const toml::node& node, const Read& read,
+               Profile& profile) {
     const toml::node* value = &node;
-    std::string source, also;
-    std::optional<Evidence> grade;
+    Claim claim{.line = lineOf(node)};
+    std::string also;
     if (const toml::table* table = node.as_table()) {
         for (const auto& [part, content] : inFileOrder(*table)) {
             if (part != "value" && part != "source" && part != "also" && part != "grade")
                 refuseKey(file, part, {"value", "source", "also", "grade"});
-            if (part == "source") source = Value{file, key + "'s source", *content}.text();
+            if (part == "source") {
+                claim.text = Value{file, key + "'s source", *content}.text();
+                claim.line = lineOf(*content);
+            }
             if (part == "also") also = Value{file, key + "'s also", *content}.text();
             if (part == "grade") {
                 const std::string which = key + "'s grade";
                 const Value word{file, which, *content};
-                grade = word.word<Evidence>(word.text());
+                claim.grade = word.word<Evidence>(word.text());
             }
         }
         value = table->get("value");
         if (!value) fail(file, lineOf(node), fmt::format("{} has no value", key));
     }
-    const Value reading{file, key, *value};
+    const bool sourced = !claim.text.empty();
+    if (!sourced) claim.text = "unsourced";
+    const Value reading{file, key, *value, sourced};
     read(profile, reading);
-
-    if (source.empty()) source = "unsourced";
-    if (!also.empty()) source += "; also " + also;
-    profile.facts.push_back({key, reading.written(), source, grade});
+    profile.facts.push_back(
+        {key, reading.written(), also.empty() ? claim.text : fmt::format("{}; also {}", claim.text, also)});
+    return claim;
 }
 
-void readEntry(const std::string& file, const toml::key& tomlKey, const toml::node& node, Profile& profile) {
+/// Whether @p text is @p word, or begins with it and goes on with a place or an explanation.
+bool beginsWith(std::string_view text, std::string_view word) {
+    return text.starts_with(word) &&
+           (text.size() == word.size() || std::string_view(" :,").find(text[word.size()]) != text.npos);
+}
+
+/// The grade of the fact @p key of the file, which makes @p claim.
+Evidence gradeOf(const Profile& profile, const std::string& key, const Claim& claim,
+                 const std::string& file) {
+    std::string_view rest = claim.text;
+    if (beginsWith(rest, "unsourced")) {
+        if (claim.grade.value_or(Evidence::Guess) != Evidence::Guess)
+            fail(file, claim.line,
+                 fmt::format("{} is unsourced: its grade is guess, not {}", key, name(*claim.grade)));
+        return Evidence::Guess;
+    }
+    const bool derived = beginsWith(rest, "derived");
+    if (derived) rest.remove_prefix(std::min(rest.size(), std::string_view("derived: ").size()));
+    Evidence best = Evidence::Guess;
+    while (!rest.empty()) {
+        const std::string_view part = rest.substr(0, rest.find("; "));
+        const auto source =
+            std::find_if(profile.sources.begin(), profile.sources.end(),
+                         [&](const Profile::Source& candidate) { return beginsWith(part, candidate.key); });
+        if (source == profile.sources.end())
+            fail(file, claim.line, fmt::format("\"{}\", a source of {}, is not in sources", part, key));
+        best = std::min(best, source->grade);
+        rest.remove_prefix(std::min(rest.size(), part.size() + 2));
+    }
+    return claim.grade.value_or(derived ? Evidence::Derived : best);
+}
+
+/// @return the claim behind it, if the entry is a fact
+std::optional<Claim> readEntry(const std::string& file, const toml::key& tomlKey, const toml::node& node,
+                               Profile& profile) {
     const std::string key(tomlKey.str());
     const Value value{file, key, node};
     if (key == "title") {
@@ -305,7 +374,7 @@ void readEntry(const std::string& file, const toml::key& tomlKey, const toml::no
     } else if (key == "year") {
         profile.year = static_cast<int>(value.whole(1950, 2100));
     } else if (key == "sources") {
-        profile.sources = value.list([](const Value& element) { return element.text(); });
+        readSources(profile, value);
     } else {
         const auto field =
             std::find_if(fields().begin(), fields().end(), [&](const Field& f) { return f.key == key; });
@@ -314,8 +383,9 @@ void readEntry(const std::string& file, const toml::key& tomlKey, const toml::no
             for (const Field& f : fields()) known.push_back(f.key);
             refuseKey(file, tomlKey, known);
         }
-        readFact(file, key, node, field->read, profile);
+        return readFact(file, key, node, field->read, profile);
     }
+    return {};
 }
 
 std::string contentOf(const std::filesystem::path& file) {
@@ -348,13 +418,16 @@ Profile loadProfile(const std::filesystem::path& path) {
     Profile profile;
     profile.id = path.stem().string();
     std::map<std::string, std::size_t> lines;
+    std::vector<Claim> claims;  // of the facts, in their order
     for (const auto& [key, node] : inFileOrder(root)) {
-        readEntry(file, key, *node, profile);
+        if (auto claim = readEntry(file, key, *node, profile)) claims.push_back(std::move(*claim));
         lines[std::string(key.str())] = key.source().begin.line;
     }
 
     // All of them together. What is missing has no line: line 1 stands for the file.
     if (profile.title.empty()) fail(file, lines.contains("title") ? lines["title"] : 1, "title is missing");
+    for (std::size_t i = 0; i < claims.size(); ++i)
+        profile.facts[i].grade = gradeOf(profile, profile.facts[i].key, claims[i], file);
     for (const Contradiction& found : contradictions(profile))
         fail(file, lines.contains(found.key) ? lines[found.key] : 1, found.what);
     return profile;

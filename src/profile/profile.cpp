@@ -4,9 +4,25 @@
 
 namespace gnomon {
 
+namespace {
+
+/// The fact @p key; null if there is none.
+const Profile::Fact* find(const std::vector<Profile::Fact>& facts, const std::string& key) {
+    const auto fact =
+        std::find_if(facts.begin(), facts.end(), [&](const Profile::Fact& f) { return f.key == key; });
+    return fact == facts.end() ? nullptr : &*fact;
+}
+
+}  // namespace
+
 std::string Profile::sourceOf(const std::string& key) const {
-    const auto fact = std::find_if(facts.begin(), facts.end(), [&](const Fact& f) { return f.key == key; });
-    return fact == facts.end() ? "not in the profile" : fact->source;
+    const Fact* fact = find(facts, key);
+    return fact ? fact->source : "not in the profile";
+}
+
+Evidence Profile::gradeOf(const std::string& key) const {
+    const Fact* fact = find(facts, key);
+    return fact ? fact->grade : Evidence::Guess;
 }
 
 BlendUnit Profile::blendUnit() const {

@@ -98,10 +98,11 @@ enum class DepthEncoding : std::uint8_t {
     N64,      ///< 3 bits of exponent, 11 of mantissa
 };
 
-/// What stands behind a fact, best first.
+/// What stands behind a fact, best first. A source carries its grade; a fact has the best one of the sources
+/// that it names, "derived" if it is computed from them, "guess" if it has none.
 enum class Evidence : std::uint8_t {
     Recorded,  ///< measured on the chip, and reproduced by us
-    Document,  ///< its maker's or a programmer's manual
+    Document,  ///< a text about the chip: a manual, an article, a table of figures
     Emulator,  ///< an emulator's code
     Driver,    ///< a driver's code
     Derived,   ///< follows from other facts
@@ -123,7 +124,15 @@ struct Profile {
     std::string id{};     ///< file stem, --profile argument, report column: "voodoo1"
     std::string title{};  ///< as printed on the box
     int year = 0;
-    std::vector<std::string> sources{};  ///< "KEY: document"; the sources of facts begin with such a key
+
+    /// One of the documents that facts name, written "KEY [grade]: document" in the file.
+    struct Source {
+        std::string key{};                 ///< "MAME"
+        Evidence grade = Evidence::Guess;  ///< of what it says
+        std::string document{};
+        bool operator==(const Source&) const = default;
+    };
+    std::vector<Source> sources{};
 
     // Frame buffer
     std::vector<ColourFormat> colourFormats{};  ///< the first is the one that gnomon renders into
@@ -179,16 +188,20 @@ struct Profile {
 
     /// One fact of the file as written, for people.
     struct Fact {
-        std::string key{}, value{};
-        std::string
-            source{};  ///< "unsourced", or where the figure comes from; "; also ..." where sources disagree
-        std::optional<Evidence> grade{};  ///< what kind of source; none if the profile doesn't say
+        std::string key{}, value{};  ///< a list's words are joined by ", "; an empty list is "none"
+        /// "unsourced", or where the figure comes from: "KEY place; KEY place", "derived: KEY place"; "; also
+        /// ..." where sources disagree.
+        std::string source{};
+        Evidence grade = Evidence::Guess;
     };
     std::vector<Fact> facts{};  ///< in the order of the file
 
     /// The source of the fact @p key, a key of the file such as "alpha_bits"; "unsourced" if it has none,
     /// "not in the profile" if the key is absent there.
     std::string sourceOf(const std::string& key) const;
+
+    /// The grade of the fact @p key; a guess if the key is absent.
+    Evidence gradeOf(const std::string& key) const;
 
     /// The first of blendUnits, or ideal rounding.
     BlendUnit blendUnit() const;
@@ -204,10 +217,13 @@ struct ProfileError : std::runtime_error {
 };
 
 /// Reads a profile: "title", "year", "sources", and one key per capability, spelt as the field but in
-/// snake_case. A capability is a plain value, or { value = ..., source = "KEY place", also = "what another
-/// source says", grade = "recorded" }; one that is left out is absent.
-/// @throws ProfileError for a syntax error, an unknown key or word, a wrong type, a number out of range, an
-///                      impossible combination (check.h)
+/// snake_case. A capability is a plain value, or { value = ..., source = "KEY place; KEY place", also = "what
+/// another source says", grade = "guess" }; one that is left out is absent, and so is an empty list with a
+/// source. A source that begins with "derived" is computed from the others that it names. "grade" stands for
+/// the grade of the sources, where their kind doesn't say how good the fact is.
+/// @throws ProfileError for a syntax error, an unknown key or word, a wrong type, a number out of range, a
+/// source
+///                      that isn't in the list, an impossible combination (check.h)
 Profile loadProfile(const std::filesystem::path& file);
 
 /// Ids of all profiles in @p folder, sorted.

@@ -146,12 +146,13 @@ const std::string& name(Evidence word) {
 
 std::span<const ColourFormat> knownColourFormats() {
     // 1555 and 5551 differ in where the alpha bit lies, not in what they hold.
-    static const std::array<ColourFormat, 8> kFormats{{{"565", 5, 6, 5, 0},
+    static const std::array<ColourFormat, 9> kFormats{{{"565", 5, 6, 5, 0},
                                                        {"555", 5, 5, 5, 0},
                                                        {"1555", 5, 5, 5, 1},
                                                        {"5551", 5, 5, 5, 1},
                                                        {"4444", 4, 4, 4, 4},
                                                        {"6666", 6, 6, 6, 6},
+                                                       {"6665", 6, 6, 6, 5},
                                                        {"888", 8, 8, 8, 0},
                                                        {"8888", 8, 8, 8, 8}}};
     return kFormats;

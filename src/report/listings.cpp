@@ -35,6 +35,26 @@ std::string formatsOf(const Profile& p) {
     return fmt::format("{}", fmt::join(names, " "));
 }
 
+/// The equations in the profile's words, or in @p shortly ones with the logic operations among them.
+std::string equationsOf(const Profile& p, bool shortly) {
+    const auto shortName = [](BlendEquation equation) -> std::string {
+        switch (equation) {
+            case BlendEquation::Subtract:
+                return "sub";
+            case BlendEquation::ReverseSubtract:
+                return "rev";
+            case BlendEquation::AddWrap:
+                return "wrap";
+            default:
+                return name(equation);
+        }
+    };
+    std::vector<std::string> words;
+    for (const BlendEquation e : p.blendEquations) words.push_back(shortly ? shortName(e) : name(e));
+    if (shortly && p.logicOps) words.push_back("logic");
+    return fmt::format("{}", fmt::join(words, " "));
+}
+
 std::string kindName(PassKind kind) {
     switch (kind) {
         case PassKind::Clear:
@@ -108,53 +128,77 @@ Json planJson(const PlanSheet& sheet) {
 }  // namespace
 
 std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
-    std::vector<std::vector<std::string>> rows{{"profile", "title", "year", "colour", "alpha", "depth",
-                                                "stencil", "equations", "textures", "largest"}};
+    const bool text = format == Format::Text;
+    std::vector<std::vector<std::string>> rows{
+        {"profile", "title", "year", "colour", "alpha", "depth", "stencil", "equations"}};
+    if (!text) rows[0].push_back("logic_ops");
+    rows[0].insert(rows[0].end(), {"textures", "largest", text ? "blend unit" : "blend_unit", "evidence"});
     for (const Profile& p : profiles) {
-        std::vector<std::string> equations;
-        for (const BlendEquation e : p.blendEquations) equations.push_back(name(e));
         const std::string alpha =
             p.alphaBits == 0 ? "-"
                              : fmt::format("{}{}", p.alphaBits, p.alphaExcludesDepth ? " or depth" : "");
         rows.push_back({p.id, p.title, p.year ? fmt::format("{}", p.year) : "", formatsOf(p), alpha,
-                        fmt::format("{}", fmt::join(p.depthBits, " ")),
-                        p.stencilBits ? fmt::format("{}", p.stencilBits) : "-",
-                        fmt::format("{}", fmt::join(equations, " ")),
-                        fmt::format("{}x{}", p.textureUnits, p.maxTextureSize),
-                        p.maxWidth ? fmt::format("{}x{}", p.maxWidth, p.maxHeight) : "any"});
+                        p.depth ? fmt::format("{}", fmt::join(p.depthBits, " ")) : "-",
+                        p.stencilBits ? fmt::format("{}", p.stencilBits) : "-", equationsOf(p, text)});
+        if (!text) rows.back().push_back(p.logicOps ? "true" : "false");
+        const auto further = p.blendUnits.size() > 1 ? fmt::format(" +{}", p.blendUnits.size() - 1) : "";
+        const bool known = !p.blendUnits.empty();
+        rows.back().insert(rows.back().end(),
+                           {p.textureUnits ? fmt::format("{}x{}", p.textureUnits, p.maxTextureSize) : "-",
+                            p.maxWidth ? fmt::format("{}x{}", p.maxWidth, p.maxHeight) : "any",
+                            known ? name(p.blendUnit()) + (text ? further : "") : "-",
+                            known ? name(p.gradeOf("blend_units")) : "-"});
     }
-    return listing(rows, format);
+    std::string list = listing(rows, format);
+    if (text)
+        list +=
+            "\nequations: sub, rev: source minus destination, destination minus source; wrap: sums keep "
+            "their low "
+            "bits;\nlogic: logic operations. textures: at a time, largest side. blend unit: the chip's own "
+            "arithmetic "
+            "(+1:\nanother one where sources disagree or nobody knows); evidence: what stands behind it.\n";
+    return list;
 }
 
 std::string showProfile(const Profile& profile, Format format) {
     if (format == Format::Json) {
-        Json facts = Json::array();
+        Json facts = Json::array(), sources = Json::array();
         for (const auto& fact : profile.facts)
             facts.push_back({{"key", fact.key},
                              {"value", fact.value},
                              {"source", fact.source},
-                             {"grade", fact.grade ? Json(name(*fact.grade)) : Json()}});
+                             {"grade", name(fact.grade)}});
+        for (const auto& s : profile.sources)
+            sources.push_back({{"key", s.key}, {"grade", name(s.grade)}, {"document", s.document}});
         return Json::array({Json{{"profile", profile.id},
                                  {"title", profile.title},
                                  {"year", profile.year},
                                  {"facts", facts},
-                                 {"sources", profile.sources}}})
+                                 {"sources", sources}}})
                    .dump(2) +
                "\n";
     }
-    const auto gradeOf = [](const Profile::Fact& fact) { return fact.grade ? name(*fact.grade) : ""; };
-    std::vector<std::vector<std::string>> rows{{"fact", "value", "source", "grade"}};
-    for (const auto& fact : profile.facts) rows.push_back({fact.key, fact.value, fact.source, gradeOf(fact)});
-    if (format == Format::Csv) return listing(rows, format);
-
+    if (format == Format::Csv) {
+        std::vector<std::vector<std::string>> rows{{"fact", "value", "source", "grade"}};
+        for (const auto& fact : profile.facts)
+            rows.push_back({fact.key, fact.value, fact.source, name(fact.grade)});
+        return listing(rows, format);
+    }
     std::string text = fmt::format("{}: {}\n\n", profile.id, profile.title);
-    for (const auto& fact : profile.facts)
-        text += fmt::format("{:<26}{}\n{:26}[{}]\n", fact.key, wrapText(fact.value, 26), "",
-                            wrapText(fact.grade ? gradeOf(fact) + ": " + fact.source : fact.source, 27));
+    const auto line = [&](const std::string& key, const std::string& grade, const std::string& value) {
+        text += fmt::format("{:<26}{:<10}{}\n", key, grade, wrapText(value, 36));
+    };
+    line("fact", "evidence", "value [source]");
+    line(std::string(24, '-'), std::string(8, '-'), std::string(14, '-'));
+    for (const auto& fact : profile.facts) {
+        line(fact.key, name(fact.grade), fact.value);
+        text += fmt::format("{:36}[{}]\n", "", wrapText(fact.source, 37));
+    }
     text += "\nA capability that is not listed is absent.\n";
     if (profile.blendUnits.empty()) text += "Its blend arithmetic is not known: ideal rounding stands in.\n";
     if (!profile.sources.empty()) text += "\nSources\n";
-    for (const std::string& source : profile.sources) text += "  " + wrapText(source, 4) + "\n";
+    for (const auto& s : profile.sources)
+        text += "  " + wrapText(fmt::format("{} [{}]: {}", s.key, name(s.grade), s.document), 4) + "\n";
     return text;
 }
 

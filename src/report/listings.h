@@ -12,9 +12,10 @@ namespace gnomon {
 
 enum class Format { Text, Json, Csv };
 
-/// All chips, a line each.
+/// All chips, a line each, with the evidence for their blend units; the text has shorter words for the
+/// equations.
 std::string listProfiles(const std::vector<Profile>& profiles, Format format);
-/// All facts of one chip with their sources.
+/// All facts of one chip with their sources and the grade of evidence of each.
 std::string showProfile(const Profile& profile, Format format);
 
 std::string listMethods(const std::vector<NamedMethod>& methods, Format format);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <tuple>
 
@@ -25,6 +26,15 @@ std::string letterOf(std::size_t index) {
     for (++index; index > 0; index = (index - 1) / 26)
         letters = fmt::format("{}{}", char('a' + (index - 1) % 26), letters);
     return letters;
+}
+
+/// @p chips, some of @p all of a table; the others where they are fewer by far.
+std::string chipsText(const std::vector<std::string>& chips, const std::vector<std::string>& all) {
+    std::vector<std::string> others;
+    for (const std::string& chip : all)
+        if (std::find(chips.begin(), chips.end(), chip) == chips.end()) others.push_back(chip);
+    if (chips.size() < 4 * others.size() || all.size() < 5) return fmt::format("{}", fmt::join(chips, " "));
+    return others.empty() ? "all" : fmt::format("all but {}", fmt::join(others, " "));
 }
 
 /// All frames of one method on one chip.
@@ -61,16 +71,21 @@ class Notes {
             std::find_if(m_notes.begin(), m_notes.end(), [&](const Note& n) { return n.text == note; });
         const auto at = std::size_t(found - m_notes.begin());
         if (found == m_notes.end()) m_notes.push_back({note, {}});
-        addOnce(m_notes[at].chips[source], profile);
+        auto& chips = m_notes[at].chips;
+        auto ofSource =
+            std::find_if(chips.begin(), chips.end(), [&](const auto& c) { return c.first == source; });
+        if (ofSource == chips.end()) ofSource = chips.insert(chips.end(), {source, {}});
+        addOnce(ofSource->second, profile);
         return letterOf(at);
     }
-    std::string text() const {
+    /// @param all  the chips of the table
+    std::string text(const std::vector<std::string>& all) const {
         std::string out;
         for (std::size_t i = 0; i < m_notes.size(); ++i) {
             out += fmt::format("  {:<3}{}\n", letterOf(i), wrapText(m_notes[i].text, 5));
             for (const auto& [source, chips] : m_notes[i].chips)
                 out += fmt::format("       {}\n",
-                                   wrapText(fmt::format("{}: {}", fmt::join(chips, " "), source), 9));
+                                   wrapText(fmt::format("{}: {}", chipsText(chips, all), source), 9));
         }
         return out;
     }
@@ -78,7 +93,7 @@ class Notes {
   private:
     struct Note {
         std::string text{};
-        std::map<std::string, std::vector<std::string>> chips{};  ///< by source
+        std::vector<std::pair<std::string, std::vector<std::string>>> chips{};  ///< source, chips
     };
     std::vector<Note> m_notes{};
 };
@@ -100,10 +115,78 @@ std::string cellText(const Entry& e, const std::string& profile, Notes& notes) {
     }
     std::vector<std::string> letters;
     for (const Missing& m : e.missing) letters.push_back(notes.letter(m.what, m.source, profile));
+    std::sort(letters.begin(), letters.end(),
+              [](const auto& a, const auto& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); });
     return fmt::format("- {}", fmt::join(letters, ","));
 }
 
-std::string tableOf(const std::vector<const Cell*>& cells) {
+/// A column of the table: chips that have the same entry in every row.
+struct Column {
+    std::vector<std::string> chips{};
+    std::vector<std::string> entries{};  ///< a row each
+
+    /// "voodoo1", or "voodoo1 +3" for four chips.
+    std::string head() const {
+        return chips.size() == 1 ? chips[0] : fmt::format("{} +{}", chips[0], chips.size() - 1);
+    }
+};
+
+/// Folds equal columns; each stands where its first chip stood.
+std::vector<Column> folded(const std::vector<Column>& columns) {
+    std::vector<Column> groups;
+    for (const Column& column : columns) {
+        const auto equal = std::find_if(groups.begin(), groups.end(),
+                                        [&](const Column& g) { return g.entries == column.entries; });
+        if (equal == groups.end())
+            groups.push_back(column);
+        else
+            equal->chips.insert(equal->chips.end(), column.chips.begin(), column.chips.end());
+    }
+    return groups;
+}
+
+/// @p chips by the heads of their columns, where all chips of a column are meant.
+std::string headsText(const std::vector<std::string>& chips, const std::vector<Column>& columns) {
+    const auto isMeant = [&](const std::string& chip) {
+        return std::find(chips.begin(), chips.end(), chip) != chips.end();
+    };
+    std::vector<std::string> words;
+    for (const Column& column : columns) {
+        if (std::all_of(column.chips.begin(), column.chips.end(), isMeant))
+            words.push_back(column.head());
+        else
+            std::copy_if(column.chips.begin(), column.chips.end(), std::back_inserter(words), isMeant);
+    }
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+/// The widest line of a table; what is wider goes on in a further block.
+constexpr std::size_t kWidestTable = 140;
+
+/// The columns behind one of row heads, in as many blocks as they need.
+std::string blocksOf(const std::vector<std::string>& methods, const std::vector<Column>& columns) {
+    std::size_t headWidth = std::string("method").size();
+    for (const std::string& method : methods) headWidth = std::max(headWidth, method.size());
+
+    std::string text;
+    for (std::size_t at = 0; at < columns.size();) {
+        std::vector<std::vector<std::string>> rows{{"method"}};
+        for (const std::string& method : methods) rows.push_back({method});
+        for (std::size_t width = headWidth; at < columns.size(); ++at) {
+            std::size_t widest = columns[at].head().size();
+            for (const std::string& entry : columns[at].entries) widest = std::max(widest, entry.size());
+            width += 2 + widest;
+            if (width > kWidestTable && rows[0].size() > 1) break;
+            rows[0].push_back(columns[at].head());
+            for (std::size_t r = 0; r < methods.size(); ++r) rows[r + 1].push_back(columns[at].entries[r]);
+        }
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", alignColumns(rows));
+    }
+    return text;
+}
+
+/// One table with its legend and causes; what is refused or failed goes into @p notes.
+std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     std::vector<std::string> profiles, methods;
     std::vector<int> frames;
     std::map<std::pair<std::string, std::string>, std::vector<const Cell*>> entries;
@@ -118,29 +201,34 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
         entries[{row, cell->profile}].push_back(cell);
     }
 
-    Notes notes;
-    std::vector<std::vector<std::string>> rows{{"method"}};
-    rows[0].insert(rows[0].end(), profiles.begin(), profiles.end());
-    std::vector<std::string> causes;
+    std::vector<Column> columns;
+    for (const std::string& profile : profiles) columns.push_back({{profile}, {}});
+    std::vector<std::pair<std::string, std::vector<std::string>>> causes;  // what, chips
     for (const std::string& method : methods) {
-        rows.push_back({method});
         std::map<std::string, std::vector<std::string>> causesHere;  // cause -> chips
-        for (const std::string& profile : profiles) {
-            const Entry entry = merge(entries[{method, profile}]);
-            rows.back().push_back(cellText(entry, profile, notes));
+        for (std::size_t i = 0; i < profiles.size(); ++i) {
+            const Entry entry = merge(entries[{method, profiles[i]}]);
+            columns[i].entries.push_back(cellText(entry, profiles[i], notes));
             for (const auto& [cause, pixels] : entry.causes)
-                causesHere[fmt::format("{}: {}", cause, pixels)].push_back(profile);
+                causesHere[fmt::format("{}: {}", cause, pixels)].push_back(profiles[i]);
         }
         for (const auto& [cause, where] : causesHere)
-            causes.push_back(fmt::format("{}: {} ({})", method, cause, fmt::join(where, " ")));
+            causes.emplace_back(fmt::format("{}: {}", method, cause), where);
     }
+    const std::vector<Column> groups = folded(columns);
 
     std::string text = fmt::format("{}, {}x{}, frame{} {}\n\n", cells[0]->scene, cells[0]->width,
                                    cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "));
-    text += alignColumns(rows);
-    if (!notes.text().empty()) text += "\nNotes: refused for want of\n" + notes.text();
+    text += blocksOf(methods, groups);
+    std::string legend;
+    for (const Column& group : groups)
+        if (group.chips.size() > 1)
+            legend += fmt::format(
+                "  {}\n", wrapText(fmt::format("{}: {}", group.head(), fmt::join(group.chips, " ")), 5));
+    if (!legend.empty()) text += "\nChips that are alike in every row\n" + legend;
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
-    for (const std::string& cause : causes) text += fmt::format("  {}\n", wrapText(cause, 5));
+    for (const auto& [cause, where] : causes)
+        text += fmt::format("  {}\n", wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5));
     return text;
 }
 
@@ -149,13 +237,18 @@ std::string tableOf(const std::vector<const Cell*>& cells) {
 std::string matrixText(const std::vector<Cell>& cells) {
     std::vector<std::tuple<std::string, int, int>> keys;
     std::map<std::tuple<std::string, int, int>, std::vector<const Cell*>> tables;
+    std::vector<std::string> profiles;
     for (const Cell& cell : cells) {
         const std::tuple key(cell.scene, cell.width, cell.height);
         addOnce(keys, key);
         tables[key].push_back(&cell);
+        addOnce(profiles, cell.profile);
     }
     std::string text;
-    for (const auto& key : keys) text += tableOf(tables[key]) + "\n";
+    Notes notes;
+    for (const auto& key : keys) text += tableOf(tables[key], notes) + "\n";
+    const std::string noteText = notes.text(profiles);
+    if (!noteText.empty()) text += fmt::format("Notes: refused for want of\n{}\n", noteText);
     text +=
         "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all frames, at "
         "the\n"

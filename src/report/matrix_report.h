@@ -8,7 +8,8 @@
 namespace gnomon {
 
 /// The matrix for a person: one table per scene and size, methods by chips; frames are drawn together, the
-/// worst verdict counts and the wrong pixels add up. Refusals and causes are spelled out below.
+/// worst verdict counts and the wrong pixels add up. Chips with equal columns share one, wide tables go on in
+/// further blocks. Causes are spelled out below each table, refusals once for all tables.
 std::string matrixText(const std::vector<Cell>& cells);
 
 /// One array of cells.

@@ -8,7 +8,9 @@
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <optional>
+#include <set>
 
 #include "profile/profile.h"
 #include "profile/words.h"
@@ -18,6 +20,7 @@ namespace {
 
 using testing::Contains;
 using testing::ElementsAre;
+using testing::IsEmpty;
 using testing::IsSupersetOf;
 using testing::SizeIs;
 using testing::UnorderedElementsAre;
@@ -36,8 +39,25 @@ bool isColour(BlendFactor factor) {
 }
 
 TEST(Chips, AreThoseOfThePlan) {
-    EXPECT_THAT(profileIds(kFolder),
-                IsSupersetOf({"geforce2mx", "ideal", "ps2", "tnt", "voodoo1", "voodoo2", "voodoo3"}));
+    EXPECT_THAT(profileIds(kFolder), IsSupersetOf({"banshee",    "dreamcast",  "ds",
+                                                   "elan",       "g200",       "g400",
+                                                   "g400-565",   "gamecube",   "gamecube-888",
+                                                   "geforce256", "geforce2mx", "geforce2mx-565",
+                                                   "i740",       "ideal",      "n64",
+                                                   "n64-8888",   "o2",         "ps1",
+                                                   "ps2",        "ps2-5551",   "psp",
+                                                   "psp-4444",   "psp-5551",   "psp-565",
+                                                   "rage128",    "ragepro",    "realityengine",
+                                                   "riva128",    "tnt",        "tnt-565",
+                                                   "tnt2",       "verite",     "virge",
+                                                   "virge-888",  "voodoo1",    "voodoo2",
+                                                   "voodoo3",    "vsa100-16",  "vsa100-32",
+                                                   "xbox",       "xbox-565"}));
+}
+
+TEST(Chips, HaveTitlesOfTheirOwn) {
+    std::set<std::string> titles;
+    for (const std::string& id : profileIds(kFolder)) EXPECT_TRUE(titles.insert(chip(id).title).second) << id;
 }
 
 class EachChip : public testing::TestWithParam<std::string> {};
@@ -45,36 +65,89 @@ class EachChip : public testing::TestWithParam<std::string> {};
 TEST_P(EachChip, LoadsUnderItsId) {
     const Profile profile = chip(GetParam());
     EXPECT_EQ(profile.id, GetParam());
+    EXPECT_THAT(profile.id, testing::MatchesRegex("[a-z0-9-]+"));
     EXPECT_FALSE(profile.title.empty());
     EXPECT_FALSE(profile.facts.empty());
 }
 
-// A source is "unsourced", "derived: ...", or begins with a key that the file's sources explain; several
-// stand apart by "; ". The text after "; also " is free.
-TEST_P(EachChip, ExplainsTheSourceOfEachFact) {
-    const Profile profile = chip(GetParam());
-    std::vector<std::string> keys{"unsourced", "derived", "no limits"};
-    for (const std::string& source : profile.sources) {
-        ASSERT_NE(source.find(": "), std::string::npos) << source;
-        keys.push_back(source.substr(0, source.find(':')));
+// Two or three lines that say what is particular about the chip; then the title.
+TEST_P(EachChip, BeginsWithWhatIsParticular) {
+    std::ifstream file(kFolder / (GetParam() + ".toml"));
+    int comments = 0;
+    std::string line;
+    while (std::getline(file, line) && line.starts_with("# ")) ++comments;
+    EXPECT_GE(comments, 2);
+    EXPECT_LE(comments, 4);
+    EXPECT_EQ(line, "");
+}
+
+/// The parts of a fact's source that name one of the list, without what "also" says.
+std::vector<std::string> partsOf(const Profile::Fact& fact) {
+    std::string rest = fact.source.substr(0, fact.source.find("; also "));
+    if (rest.starts_with("derived: ")) rest.erase(0, std::string("derived: ").size());
+    std::vector<std::string> parts;
+    while (!rest.empty()) {
+        const auto end = rest.find("; ");
+        parts.push_back(rest.substr(0, end));
+        rest = end == std::string::npos ? "" : rest.substr(end + 2);
     }
-    const auto known = [&](const std::string& part) {
-        return std::any_of(keys.begin(), keys.end(), [&](const std::string& key) {
-            return part == key || part.starts_with(key + " ") || part.starts_with(key + ":");
-        });
-    };
+    return parts;
+}
+
+// That each part is in the list is loadProfile()'s to see; here that no source is there for show, and that a
+// fact without one says so.
+TEST_P(EachChip, NamesASourceForEachFactAndAFactForEachSource) {
+    const Profile profile = chip(GetParam());
+    std::set<std::string> used;
     for (const Profile::Fact& fact : profile.facts) {
-        std::string rest = fact.source.substr(0, fact.source.find("; also "));
-        while (!rest.empty()) {
-            const auto end = rest.find("; ");
-            EXPECT_TRUE(known(rest.substr(0, end))) << fact.key << ": " << rest.substr(0, end);
-            rest = end == std::string::npos ? "" : rest.substr(end + 2);
-        }
+        const bool unsourced = fact.source.starts_with("unsourced");
+        EXPECT_TRUE(!unsourced || fact.grade == Evidence::Guess) << fact.key;
+        for (const std::string& part : partsOf(fact))
+            for (const Profile::Source& source : profile.sources)
+                if (part.starts_with(source.key)) used.insert(source.key);
+        for (const Profile::Source& source : profile.sources)  // what "also" says
+            if (fact.source.find("; also ") != std::string::npos &&
+                fact.source.find(source.key, fact.source.find("; also ")) != std::string::npos)
+                used.insert(source.key);
+    }
+    for (const Profile::Source& source : profile.sources) {
+        EXPECT_FALSE(source.document.empty()) << source.key;
+        EXPECT_TRUE(used.contains(source.key)) << source.key;
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachChip, testing::ValuesIn(profileIds(kFolder)),
-                         [](const auto& test) { return test.param; });
+// Arithmetic that nobody has measured must not look as if somebody had: only the recorded chip is.
+TEST_P(EachChip, GradesTheEvidenceForItsBlendUnit) {
+    const Profile profile = chip(GetParam());
+    ASSERT_FALSE(profile.blendUnits.empty());
+    const bool recorded = profile.id.starts_with("xbox");
+    EXPECT_EQ(profile.gradeOf("blend_units") == Evidence::Recorded, recorded);
+    const bool envelope = std::find(profile.blendUnits.begin(), profile.blendUnits.end(),
+                                    BlendUnit::ProductsFloor) != profile.blendUnits.end();
+    EXPECT_TRUE(!envelope || profile.gradeOf("blend_units") == Evidence::Guess);
+}
+
+// What has more than one format is a profile each: the first is the one that is drawn into.
+TEST_P(EachChip, HasTheFormatOfItsId) {
+    const Profile profile = chip(GetParam());
+    const auto dash = profile.id.find('-');
+    if (dash == std::string::npos || profile.id.starts_with("vsa100")) return;
+    EXPECT_EQ(profile.colourFormats.front().name, profile.id.substr(dash + 1));
+}
+
+// A dithered store is 16-bit business.
+TEST_P(EachChip, DithersOnlyBelowEightBits) {
+    const Profile profile = chip(GetParam());
+    EXPECT_TRUE(profile.colourFormats.front().red < 8 || profile.ditherModes.empty());
+}
+
+std::string testName(const testing::TestParamInfo<std::string>& test) {
+    std::string id = test.param;
+    std::replace(id.begin(), id.end(), '-', '_');
+    return id;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachChip, testing::ValuesIn(profileIds(kFolder)), testName);
 
 TEST(Ideal, LacksNothing) {
     const Profile ideal = chip("ideal");
@@ -91,33 +164,29 @@ TEST(Ideal, LacksNothing) {
         EXPECT_EQ(fact.source, "no limits: by definition") << fact.key;
 }
 
-// Arithmetic that nobody has measured must not look as if somebody had.
-TEST_P(EachChip, GradesTheEvidenceForItsBlendUnit) {
-    const Profile profile = chip(GetParam());
-    ASSERT_FALSE(profile.blendUnits.empty());
-    for (const Profile::Fact& fact : profile.facts)
-        if (fact.key == "blend_units" && profile.id != "ideal") {
-            EXPECT_TRUE(fact.grade.has_value());
-        }
-}
-
 TEST(Chips, SayWhoseArithmeticIsGuessed) {
-    const auto grade = [](const char* id) {
-        const Profile profile = chip(id);
-        for (const Profile::Fact& fact : profile.facts)
-            if (fact.key == "blend_units") return fact.grade;
-        return std::optional<Evidence>();
-    };
-    EXPECT_EQ(grade("voodoo1"), Evidence::Emulator);
+    const auto grade = [](const char* id) { return chip(id).gradeOf("blend_units"); };
+    for (const char* id : {"voodoo1", "dreamcast", "n64", "gamecube", "psp", "riva128", "virge", "ds", "ps1"})
+        EXPECT_EQ(grade(id), Evidence::Emulator) << id;
     EXPECT_EQ(grade("ps2"), Evidence::Document);
-    EXPECT_EQ(grade("tnt"), Evidence::Guess);
-    EXPECT_EQ(grade("geforce2mx"), Evidence::Guess);
-    EXPECT_EQ(chip("geforce2mx").blendUnit(), BlendUnit::Nv2a);
+    EXPECT_EQ(grade("xbox"), Evidence::Recorded);
+    for (const char* id : {"tnt", "g200", "ragepro", "rage128", "i740", "verite", "elan", "vsa100-16"})
+        EXPECT_EQ(grade(id), Evidence::Guess) << id;
     EXPECT_EQ(Profile{}.blendUnit(), BlendUnit::IdealRound);
 }
 
+// Its successor's recorded arithmetic, not its own: a guess, between two bounds.
+TEST(GeForce, RoundsAsTheXboxByGuess) {
+    for (const char* id : {"geforce256", "geforce2mx", "geforce2mx-565"}) {
+        EXPECT_THAT(chip(id).blendUnits,
+                    ElementsAre(BlendUnit::Nv2a, BlendUnit::ProductsRound, BlendUnit::ProductsFloor))
+            << id;
+        EXPECT_EQ(chip(id).gradeOf("blend_units"), Evidence::Guess) << id;
+    }
+}
+
 TEST(Voodoo, DithersWithSubtractionUnlessTold) {
-    for (const char* id : {"voodoo1", "voodoo2", "voodoo3"}) {
+    for (const char* id : {"voodoo1", "voodoo2", "banshee", "voodoo3"}) {
         const auto modes = chip(id).ditherModes;
         EXPECT_EQ(modes.front(), DitherMode::Matrix4x4Subtract) << id;
         EXPECT_THAT(modes, Contains(DitherMode::Off));
@@ -158,8 +227,12 @@ TEST_P(EachVoodoo, HasSixteenBitsOfEverythingAndNoStencil) {
     EXPECT_EQ(voodoo.maxTextureAspect, 8);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EachVoodoo, testing::Values("voodoo1", "voodoo2", "voodoo3"),
-                         [](const auto& test) { return test.param; });
+TEST_P(EachVoodoo, WritesDepthAsZOrAsFloatingW) {
+    EXPECT_THAT(chip(GetParam()).depthEncodings, ElementsAre(DepthEncoding::Linear, DepthEncoding::VoodooW));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, EachVoodoo, testing::Values("voodoo1", "voodoo2", "banshee", "voodoo3"),
+                         testName);
 
 // Two colour buffers and one auxiliary buffer of 16 bits at the largest size. Voodoo 3 is left out: there the
 // memory is the limit, not the table of modes.
@@ -322,12 +395,215 @@ TEST(Tnt, RunsBothVariantsOfThePaperBesideAStencil) {
     EXPECT_THAT(tnt.blendEquations, ElementsAre(BlendEquation::Add));
 }
 
-TEST(Geforce2Mx, CountsWithSignByReverseSubtract) {
-    const Profile geforce = chip("geforce2mx");
-    EXPECT_THAT(geforce.blendEquations, SizeIs(5));
-    EXPECT_TRUE(geforce.allowsBlend(One, One));
-    EXPECT_EQ(geforce.alphaSourceFactors, geforce.sourceFactors);
-    EXPECT_FALSE(geforce.separateAlphaFactors);
+TEST(GeForce, CountsWithSignByReverseSubtract) {
+    for (const char* id : {"geforce256", "geforce2mx", "xbox"}) {
+        const Profile geforce = chip(id);
+        EXPECT_THAT(geforce.blendEquations, SizeIs(5)) << id;
+        EXPECT_TRUE(geforce.allowsBlend(One, One)) << id;
+        EXPECT_EQ(geforce.alphaSourceFactors, geforce.sourceFactors) << id;
+        EXPECT_FALSE(geforce.separateAlphaFactors) << id;
+    }
+}
+
+TEST(GeForce, HasLogicOperationsFromTheSecondOn) {
+    EXPECT_FALSE(chip("geforce256").logicOps);
+    EXPECT_TRUE(chip("geforce2mx").logicOps);
+    EXPECT_TRUE(chip("xbox").logicOps);
+}
+
+TEST(Xbox, StandsOnRecordings) {
+    for (const char* id : {"xbox", "xbox-565"}) {
+        const Profile xbox = chip(id);
+        EXPECT_THAT(xbox.blendUnits, ElementsAre(BlendUnit::Nv2a)) << id;
+        for (const char* key : {"source_factors", "destination_factors", "blend_equations", "blend_units"})
+            EXPECT_EQ(xbox.gradeOf(key), Evidence::Recorded) << id << " " << key;
+    }
+    EXPECT_EQ(chip("xbox").gradeOf("stencil_wrap"), Evidence::Recorded);
+    EXPECT_TRUE(chip("xbox").stencilWrap);
+    EXPECT_FALSE(chip("xbox").twoSidedStencil);
+}
+
+// Section 2.4: what Glide forces in 16 bits, a mask can't switch off.
+TEST(Vsa100, AlwaysDithersIn16Bits) {
+    EXPECT_THAT(chip("vsa100-16").ditherModes, ElementsAre(DitherMode::Matrix2x2Subtract));
+    EXPECT_THAT(chip("vsa100-32").ditherModes, IsEmpty());
+}
+
+TEST(Vsa100, SubtractsBothWaysAndMasksEachChannel) {
+    for (const char* id : {"vsa100-16", "vsa100-32"}) {
+        EXPECT_THAT(chip(id).blendEquations,
+                    ElementsAre(BlendEquation::Add, BlendEquation::Subtract, BlendEquation::ReverseSubtract))
+            << id;
+        EXPECT_EQ(chip(id).writeMask, WriteMask::Channel) << id;
+        EXPECT_TRUE(chip(id).allowsBlend(SrcColor, DstColor))
+            << id << ": the own colour, unlike its forerunners";
+    }
+    EXPECT_TRUE(chip("vsa100-16").alphaExcludesDepth);
+    EXPECT_FALSE(chip("vsa100-32").alphaExcludesDepth);
+    EXPECT_EQ(chip("vsa100-32").stencilBits, 8);
+}
+
+// COLCLAMP 0, and the signed difference.
+TEST(Ps2, CountsByWrappingAndBySubtracting) {
+    for (const char* id : {"ps2", "ps2-5551"})
+        EXPECT_THAT(chip(id).blendEquations,
+                    ElementsAre(BlendEquation::Add, BlendEquation::ReverseSubtract, BlendEquation::AddWrap))
+            << id;
+    EXPECT_EQ(chip("ps2-5551").alphaBits, 1);
+}
+
+/// The pairs of OpenGL's factors that P * A + M * B is for P, M of pixel and memory, A of an alpha or
+/// nothing, and B of 1 - A, one, nothing; P differs from M. Section 2.10 (ANGRY).
+std::set<BlendPair> pairsOfRdp() {
+    std::set<BlendPair> pairs;
+    for (const auto& [alpha, complement] :
+         {std::pair{SrcAlpha, OneMinusSrcAlpha}, std::pair{ConstantAlpha, OneMinusConstantAlpha},
+          std::pair{Zero, One}})
+        for (const BlendFactor b : {complement, One, Zero}) {
+            pairs.insert({alpha, b});  // P is the pixel
+            pairs.insert({b, alpha});  // P is memory
+        }
+    return pairs;
+}
+
+TEST(N64, HasThePairsOfItsMultiplexers) {
+    for (const char* id : {"n64", "n64-8888"}) {
+        auto pairs = pairsOfRdp();
+        pairs.insert({One, One});  // the greatest alpha, 31 of 32, for one
+        EXPECT_THAT(chip(id).blendPairs, UnorderedElementsAreArray(pairs)) << id;
+    }
+}
+
+TEST(N64, WrapsAndHasNoAlphaAndNoFartherTest) {
+    for (const char* id : {"n64", "n64-8888"}) {
+        const Profile n64 = chip(id);
+        EXPECT_THAT(n64.blendEquations, Contains(BlendEquation::AddWrap)) << id;
+        EXPECT_EQ(n64.alphaBits, 0) << id << ": its alpha bits are coverage";
+        EXPECT_EQ(n64.stencilBits, 0);
+        EXPECT_THAT(n64.depthFunctions,
+                    UnorderedElementsAre(Compare::Less, Compare::Lequal, Compare::Always));
+        EXPECT_THAT(n64.depthEncodings, ElementsAre(DepthEncoding::N64));
+        EXPECT_FALSE(n64.allowsBlendWithConstantSource(OneMinusDstColor, Zero)) << "no inversion";
+    }
+}
+
+// Section 2.6: one weight, its complement beside it, or nothing; and the plain sum.
+TEST(Riva128, HalvesButCantDouble) {
+    const Profile riva = chip("riva128");
+    for (const BlendFactor weight : {SrcAlpha, DstColor}) {
+        const BlendFactor complement = weight == SrcAlpha ? OneMinusSrcAlpha : OneMinusDstColor;
+        EXPECT_TRUE(riva.allowsBlend(weight, complement) && riva.allowsBlend(weight, Zero) &&
+                    riva.allowsBlend(Zero, complement));
+        EXPECT_FALSE(riva.allowsBlend(weight, One));
+        EXPECT_FALSE(riva.allowsBlend(complement, weight));
+    }
+    EXPECT_TRUE(riva.allowsBlend(One, One));
+    EXPECT_TRUE(riva.allowsBlendWithConstantSource(DstColor, Zero));
+    EXPECT_FALSE(riva.allowsBlendWithConstantSource(DstColor, One));
+    EXPECT_THAT(riva.blendEquations, ElementsAre(BlendEquation::Add));
+    EXPECT_EQ(riva.alphaBits, 0);
+}
+
+// Sections 2.15 and 2.21.
+TEST(Chips, ThatBlendByAlphaOnlyCanHalveAndNothingElse) {
+    for (const char* id : {"virge", "virge-888", "ds"}) {
+        const Profile p = chip(id);
+        EXPECT_THAT(p.blendPairs,
+                    UnorderedElementsAre(BlendPair{One, Zero}, BlendPair{SrcAlpha, OneMinusSrcAlpha}))
+            << id;
+        EXPECT_TRUE(p.allowsBlendWithConstantSource(DstColor, Zero)) << id;
+        EXPECT_FALSE(p.allowsBlendWithConstantSource(DstColor, One)) << id;
+        EXPECT_FALSE(p.allowsBlendWithConstantSource(One, One)) << id;
+    }
+}
+
+TEST(Ps1, HasNoDepthAndSaysWhoSaysSo) {
+    const Profile ps1 = chip("ps1");
+    EXPECT_FALSE(ps1.depth);
+    EXPECT_THAT(ps1.sourceOf("depth_bits"), testing::StartsWith("PSXSPX"));
+    EXPECT_EQ(ps1.gradeOf("depth_bits"), Evidence::Document);
+    EXPECT_TRUE(ps1.allowsBlend(One, One));
+    EXPECT_THAT(ps1.blendEquations, ElementsAre(BlendEquation::Add, BlendEquation::ReverseSubtract));
+}
+
+// Its alpha is its stencil, and blending can't touch it.
+TEST(Psp, KeepsItsStencilInAlpha) {
+    for (const auto& [id, bits] :
+         {std::pair{"psp", 8}, std::pair{"psp-4444", 4}, std::pair{"psp-5551", 1}, std::pair{"psp-565", 0}}) {
+        const Profile psp = chip(id);
+        EXPECT_EQ(psp.alphaBits, bits) << id;
+        EXPECT_EQ(psp.stencilBits, bits) << id;
+        EXPECT_FALSE(psp.stencilWrap || psp.blendWritesAlpha) << id;
+        EXPECT_TRUE(psp.allowsBlend(DstColor, One) && psp.allowsBlend(DstColor, Zero)) << id;
+        EXPECT_EQ(psp.maxWidth, 480);
+    }
+}
+
+TEST(GameCube, HasAlphaOnlyBesideSixBits) {
+    const Profile rgba6 = chip("gamecube"), rgb8 = chip("gamecube-888");
+    EXPECT_EQ(rgba6.alphaBits, 6);
+    EXPECT_TRUE(rgba6.blendWritesAlpha);
+    EXPECT_EQ(rgb8.alphaBits, 0);
+    for (const Profile& p : {rgba6, rgb8}) {
+        EXPECT_THAT(p.blendEquations, ElementsAre(BlendEquation::Add, BlendEquation::ReverseSubtract))
+            << p.id;
+        EXPECT_TRUE(p.logicOps) << p.id << ": parity by inversion";
+        EXPECT_EQ(p.stencilBits, 0);
+        EXPECT_EQ(p.writeMask, WriteMask::Group);
+    }
+}
+
+TEST(Dreamcast, BlendsEightBitsWithAlphaButWithoutStencil) {
+    const Profile dreamcast = chip("dreamcast");
+    EXPECT_EQ(dreamcast.colourFormats.front().name, "8888");
+    EXPECT_THAT(dreamcast.ditherModes, IsEmpty()) << "it dithers when a tile is written out";
+    EXPECT_TRUE(dreamcast.allowsBlend(DstColor, One));
+    EXPECT_THAT(dreamcast.alphaSourceFactors, Contains(DstColor));
+    EXPECT_EQ(dreamcast.stencilBits, 0);
+    EXPECT_THAT(dreamcast.blendEquations, ElementsAre(BlendEquation::Add));
+}
+
+// Sections 2.17 and 2.18: no partial write masks, no usable alpha.
+TEST(Chips, ThatWriteAllColoursOrNothing) {
+    for (const char* id : {"ragepro", "i740"}) {
+        EXPECT_EQ(chip(id).writeMask, WriteMask::Fixed) << id;
+        EXPECT_EQ(chip(id).alphaBits, 0) << id;
+        EXPECT_TRUE(chip(id).allowsBlend(DstColor, One) && chip(id).allowsBlend(DstColor, Zero)) << id;
+    }
+}
+
+TEST(Rage128, SubtractsInTheWrongOrderForCounting) {
+    EXPECT_THAT(chip("rage128").blendEquations, ElementsAre(BlendEquation::Add, BlendEquation::Subtract));
+}
+
+// The driver avoids the pair that the chip gets wrong.
+TEST(Matrox, LacksOnePairAndOneDepthTest) {
+    for (const char* id : {"g200", "g400"}) {
+        EXPECT_TRUE(chip(id).allowsBlend(SrcAlphaSaturate, One)) << id;
+        EXPECT_FALSE(chip(id).allowsBlend(SrcAlphaSaturate, Zero)) << id;
+        EXPECT_THAT(chip(id).depthFunctions, SizeIs(7)) << id;
+        EXPECT_FALSE(chip(id).depthFunctions.contains(Compare::Never)) << id;
+    }
+}
+
+TEST(Sgi, CountsToFifteenOnTheElan) {
+    EXPECT_EQ(chip("elan").stencilBits, 4);
+    EXPECT_EQ(chip("o2").stencilBits, 8);
+}
+
+TEST(Ds, IsSmallerThanTheUsualFrame) {
+    EXPECT_EQ(chip("ds").maxWidth, 256);
+    EXPECT_EQ(chip("ds").maxHeight, 192);
+}
+
+// 16-bit forms have neither alpha nor stencil beside their depth of 16 bits.
+TEST(Chips, LoseAlphaAndStencilIn565) {
+    for (const char* id : {"tnt-565", "geforce2mx-565", "xbox-565", "g400-565"}) {
+        const Profile p = chip(id);
+        EXPECT_EQ(p.alphaBits, 0) << id;
+        EXPECT_EQ(p.stencilBits, 0) << id;
+        EXPECT_EQ(p.depthBits.front(), 16) << id;
+    }
 }
 
 }  // namespace

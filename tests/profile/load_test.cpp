@@ -19,6 +19,8 @@ using testing::IsEmpty;
 
 /// Line 1 is a title, so that the line of an error isn't the line 1 that stands for "the whole file".
 constexpr auto kMinimal = "title = \"Chip\"\ncolour_formats = [\"565\"]\n";
+/// A source for facts that need one.
+constexpr auto kManual = "sources = [\"M [document]: a manual\"]\n";
 
 /// A file of its own for each test; tests may run side by side.
 std::filesystem::path fileWith(const std::string& content) {
@@ -69,23 +71,23 @@ TEST(LoadProfile, TakesIdFromFileAndLeavesOutWhatIsAbsent) {
 }
 
 TEST(LoadProfile, ReadsTheChipsArithmeticWithItsGrade) {
-    const Profile profile = load(std::string(kMinimal) +
+    const Profile profile = load(std::string(kMinimal) + kManual +
                                  "source_factors = [\"one\"]\ndestination_factors = [\"one\"]\n"
                                  "blend_equations = [\"add\"]\n"
                                  "blend_units = { value = [\"voodoo_mame\", \"voodoo_86box\"], source = "
-                                 "\"M p. 1\", grade = \"emulator\" }\n"
+                                 "\"M p. 1\", grade = \"guess\" }\n"
                                  "dither_modes = [\"2x2_subtract\", \"off\"]\n");
     EXPECT_THAT(profile.blendUnits, ElementsAre(BlendUnit::VoodooMame, BlendUnit::Voodoo86Box));
     EXPECT_THAT(profile.ditherModes, ElementsAre(DitherMode::Matrix2x2Subtract, DitherMode::Off));
-    EXPECT_EQ(profile.facts[4].grade, Evidence::Emulator);
-    EXPECT_EQ(profile.facts[5].grade, std::nullopt);
+    EXPECT_EQ(profile.gradeOf("blend_units"), Evidence::Guess) << "as the file says, whatever M is";
+    EXPECT_EQ(profile.gradeOf("dither_modes"), Evidence::Guess) << "it has no source";
 }
 
 TEST(LoadProfile, KeepsFactsInFileOrderWithSources) {
     const Profile profile = load(
         "title = \"Chip\"\n"
         "year = 1998\n"
-        "sources = [\"M: a manual\"]\n"
+        "sources = [\"M [document]: a manual\"]\n"
         "texture_units = { value = 2, source = \"M p. 3\" }\n"
         "max_texture_size = 256\n"
         "alpha_bits = { value = 8, source = \"unsourced\" }\n"
@@ -94,7 +96,7 @@ TEST(LoadProfile, KeepsFactsInFileOrderWithSources) {
         "megapixels_per_second = { value = 45, also = \"N says 50\" }\n"
         "culling = { value = true, source = \"M p. 2\" }\n");
     EXPECT_EQ(profile.year, 1998);
-    EXPECT_THAT(profile.sources, ElementsAre("M: a manual"));
+    EXPECT_THAT(profile.sources, ElementsAre(Profile::Source{"M", Evidence::Document, "a manual"}));
     EXPECT_THAT(
         profile.facts,
         ElementsAre(isFact("texture_units", "2", "M p. 3"), isFact("max_texture_size", "256", "unsourced"),
@@ -113,12 +115,58 @@ TEST(LoadProfile, ReportsFirstFaultOfTheFile) {
 }
 
 TEST(LoadProfile, TakesZeroAndFalseAsSourcedAbsence) {
-    const Profile profile = load(std::string(kMinimal) +
+    const Profile profile = load(std::string(kMinimal) + kManual +
                                  "stencil_bits = { value = 0, source = \"M\" }\n"
                                  "stencil_wrap = false\ntwo_sided_stencil = false\n"
                                  "alpha_excludes_depth = false\nframe_texture = \"none\"\n");
     EXPECT_EQ(profile.stencilBits, 0);
     EXPECT_EQ(profile.sourceOf("stencil_bits"), "M");
+}
+
+// "No depth buffer" is a fact, too: a refusal can then say who says so.
+TEST(LoadProfile, TakesAnEmptyListAsAbsenceIfItHasASource) {
+    const Profile profile =
+        load(std::string(kMinimal) + kManual + "depth_bits = { value = [], source = \"M p. 2\" }\n");
+    EXPECT_FALSE(profile.depth);
+    EXPECT_THAT(profile.depthBits, IsEmpty());
+    EXPECT_THAT(profile.facts.back(), isFact("depth_bits", "none", "M p. 2"));
+}
+
+/// The grade of the fact that @p claim is the source and grade of; its file knows a source of each grade.
+Evidence gradeOf(const std::string& claim) {
+    return load(std::string(kMinimal) + "culling = { value = true, " + claim +
+                " }\n"
+                "sources = [\"R [recorded]: r\", \"D [document]: d\", \"EM U [emulator]: e\", \"DR [driver]: "
+                "d\", "
+                "\"X [derived]: x\", \"G [guess]: g\"]\n")
+        .gradeOf("culling");
+}
+
+TEST(LoadProfile, GradesAFactByTheBestOfItsSources) {
+    EXPECT_EQ(gradeOf("source = \"R\""), Evidence::Recorded);
+    EXPECT_EQ(gradeOf("source = \"D p. 3\""), Evidence::Document);
+    EXPECT_EQ(gradeOf("source = \"EM U: none\""), Evidence::Emulator);
+    EXPECT_EQ(gradeOf("source = \"G; DR a.c:3, 4\""), Evidence::Driver);
+    EXPECT_EQ(gradeOf("source = \"DR, twice; R; D\""), Evidence::Recorded);
+    EXPECT_EQ(gradeOf("source = \"X\""), Evidence::Derived);
+    EXPECT_EQ(gradeOf("source = \"G\", also = \"R says otherwise\""), Evidence::Guess);
+}
+
+TEST(LoadProfile, GradesWhatIsComputedFromSourcesAsDerived) {
+    EXPECT_EQ(gradeOf("source = \"derived: D p. 3; R\""), Evidence::Derived);
+    EXPECT_EQ(gradeOf("source = \"derived\""), Evidence::Derived);
+}
+
+TEST(LoadProfile, GradesWhatHasNoSourceAsGuessed) {
+    EXPECT_EQ(gradeOf("source = \"unsourced\""), Evidence::Guess);
+    EXPECT_EQ(gradeOf("source = \"unsourced: common belief\""), Evidence::Guess);
+    EXPECT_EQ(gradeOf("also = \"R\""), Evidence::Guess);
+    EXPECT_EQ(Profile{}.gradeOf("culling"), Evidence::Guess);
+}
+
+TEST(LoadProfile, LetsAFactHaveAGradeOfItsOwn) {
+    EXPECT_EQ(gradeOf("source = \"R (of another chip)\", grade = \"guess\""), Evidence::Guess);
+    EXPECT_EQ(gradeOf("source = \"D; EM U\", grade = \"emulator\""), Evidence::Emulator);
 }
 
 TEST(LoadProfile, ReadsEveryKey) {
@@ -249,22 +297,41 @@ const std::string kFactors =
 
 INSTANTIATE_TEST_SUITE_P(
     Keys, FaultyProfile,
-    testing::Values(Fault{"Unknown", "stencil_bit = 8\n",
-                          ":3: unknown key \"stencil_bit\"; did you mean \"stencil_bits\"?"},
-                    Fault{"American", "color_formats = 8\n",
-                          ":3: unknown key \"color_formats\"; did you mean \"colour_formats\"?"},
-                    Fault{"UnknownInTable", "culling = { value = true, sorce = \"M\" }\n",
-                          ":3: unknown key \"sorce\"; did you mean \"source\"?"},
-                    Fault{"UnknownInSection", "[culling]\nvalue = true\nalsol = \"N\"\n",
-                          ":5: unknown key \"alsol\"; did you mean \"also\"?"},
-                    Fault{"UnknownGrade", "culling = { value = true, grade = \"rumour\" }\n",
-                          ":3: unknown word \"rumour\" in culling's grade (known: recorded, document, "
-                          "emulator, driver, derived, guess)"},
-                    Fault{"UnitWithoutBlending", "blend_units = [\"gs\"]\n",
-                          ":3: blend_units needs blend_equations"},
-                    Fault{"NoValue", "\nculling = { source = \"M\" }\n", ":4: culling has no value"},
-                    Fault{"UnknownSection", "[texture_unit]\nvalue = 1\n",
-                          ":3: unknown key \"texture_unit\"; did you mean \"texture_units\"?"}),
+    testing::Values(
+        Fault{"Unknown", "stencil_bit = 8\n",
+              ":3: unknown key \"stencil_bit\"; did you mean \"stencil_bits\"?"},
+        Fault{"American", "color_formats = 8\n",
+              ":3: unknown key \"color_formats\"; did you mean \"colour_formats\"?"},
+        Fault{"UnknownInTable", "culling = { value = true, sorce = \"M\" }\n",
+              ":3: unknown key \"sorce\"; did you mean \"source\"?"},
+        Fault{"UnknownInSection", "[culling]\nvalue = true\nalsol = \"N\"\n",
+              ":5: unknown key \"alsol\"; did you mean \"also\"?"},
+        Fault{"UnknownGrade", "culling = { value = true, grade = \"rumour\" }\n",
+              ":3: unknown word \"rumour\" in culling's grade (known: recorded, document, "
+              "emulator, driver, derived, guess)"},
+        Fault{"GradeWithoutSource", "\nculling = { value = true, grade = \"document\" }\n",
+              ":4: culling is unsourced: its grade is guess, not document"},
+        Fault{"UnknownSource",
+              "sources = [\"M [document]: a manual\"]\nculling = { value = true, source = \"N p. 3\" }\n",
+              ":4: \"N p. 3\", a source of culling, is not in sources"},
+        Fault{"UnknownSourceAmongKnown",
+              "sources = [\"M [document]: a manual\"]\n[culling]\nvalue = true\nsource = \"M; Mx\"\n",
+              ":6: \"Mx\", a source of culling, is not in sources"},
+        Fault{"DerivedFromUnknownSource", "culling = { value = true, source = \"derived: M p. 3\" }\n",
+              ":3: \"M p. 3\", a source of culling, is not in sources"},
+        Fault{"SourceWithoutGrade", "sources = [\n\"M [document]: a\",\n\"N: b\"]\n",
+              ":5: \"N: b\" in sources must be \"KEY [grade]: document\""},
+        Fault{"SourceWithoutKey", "sources = [\" [document]: a\"]\n",
+              ":3: \" [document]: a\" in sources must be \"KEY [grade]: document\""},
+        Fault{"SourceWithUnknownGrade", "sources = [\n\"M [rumour]: a\"]\n",
+              ":4: unknown word \"rumour\" in the grade of a source (known: recorded, document, "
+              "emulator, driver, derived, guess)"},
+        Fault{"SourceKeyTwice", "sources = [\"M [document]: a\", \"M [guess]: b\"]\n",
+              ":3: sources has M twice"},
+        Fault{"UnitWithoutBlending", "blend_units = [\"gs\"]\n", ":3: blend_units needs blend_equations"},
+        Fault{"NoValue", "\nculling = { source = \"M\" }\n", ":4: culling has no value"},
+        Fault{"UnknownSection", "[texture_unit]\nvalue = 1\n",
+              ":3: unknown key \"texture_unit\"; did you mean \"texture_units\"?"}),
     nameOfFault);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -336,7 +403,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"NumberTwice", "depth_bits = [24,\n16,\n24]\n", ":5: depth_bits has 24 twice"},
         Fault{"WordTwice", "blend_equations = [\"add\", \"add\"]\n", ":3: blend_equations has add twice"},
         Fault{"PairTwice", "blend_pairs = [\"one one\", \"one one\"]\n", ":3: blend_pairs has one one twice"},
-        Fault{"Empty", "depth_bits = []\n", ":3: depth_bits is empty: leave it out if the chip has none"}),
+        Fault{"Empty", "depth_bits = []\n",
+              ":3: depth_bits is empty: leave it out if the chip has none, or say where that is from"}),
     nameOfFault);
 
 const std::string kBlend =
@@ -447,12 +515,12 @@ TEST(LoadProfileErrors, MissTitleAndColourFormats) {
     EXPECT_EQ(errorOf("\ntitle = \"\"\n"), ":2: title is missing");
     EXPECT_EQ(errorOf("\ntitle = \"Chip\"\n"), ":1: colour_formats is missing");
     EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = []\n"),
-              ":2: colour_formats is empty: leave it out if the chip has none");
+              ":2: colour_formats is empty: leave it out if the chip has none, or say where that is from");
     EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"565\", \"565\"]\n"),
               ":2: colour_formats has 565 twice");
-    EXPECT_EQ(
-        errorOf("title = \"Chip\"\ncolour_formats = [\"rgb\"]\n"),
-        ":2: unknown word \"rgb\" in colour_formats (known: 565, 555, 1555, 5551, 4444, 6666, 888, 8888)");
+    EXPECT_EQ(errorOf("title = \"Chip\"\ncolour_formats = [\"rgb\"]\n"),
+              ":2: unknown word \"rgb\" in colour_formats (known: 565, 555, 1555, 5551, 4444, 6666, 6665, "
+              "888, 8888)");
 }
 
 TEST(ProfileIds, AreSortedStemsOfTomlFiles) {

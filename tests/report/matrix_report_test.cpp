@@ -133,6 +133,96 @@ TEST(MatrixText, SetsATableForEachSceneAndSize) {
     EXPECT_EQ(heads, 3);
 }
 
+/// Cells of one frame: chips @p ids, of which those with a name of the same first letter do everything alike.
+std::vector<Cell> cellsOf(const std::vector<std::string>& ids) {
+    std::vector<Cell> all;
+    for (const char* method : {"roettger-screen", "heidmann"})
+        for (const std::string& id : ids) {
+            Cell c;
+            c.profile = id, c.method = method, c.scene = "boxes", c.axes = findMethod(method)->axes;
+            c.width = 320, c.height = 240, c.passes = {2, 4, 3, 0};
+            c.verdict = c.method == "heidmann" ? Verdict::Refused : Verdict::Wrong;
+            if (c.verdict == Verdict::Refused)
+                c.missing = {{"stencil_bits", "stencil", "source of " + id}};
+            else
+                c.wrongInterior = id[0], c.causes = {{"rounding", id[0]}};
+            all.push_back(c);
+        }
+    return all;
+}
+
+TEST(MatrixText, FoldsChipsThatAreAlikeInEveryRow) {
+    const std::string text = matrixText(cellsOf({"tnt", "voodoo1", "tnt2", "voodoo2", "voodoo3", "xbox"}));
+    EXPECT_THAT(rowOf(text, "method"), ElementsAre("method", "tnt +1", "voodoo1 +2", "xbox"));
+    EXPECT_THAT(rowOf(text, "roettger-screen"),
+                ElementsAre("roettger-screen", "WRONG 116 2/3", "WRONG 118 2/3", "WRONG 120 2/3"));
+    EXPECT_THAT(text, AllOf(HasSubstr("\n  tnt +1: tnt tnt2\n"),
+                            HasSubstr("\n  voodoo1 +2: voodoo1 voodoo2 voodoo3\n")));
+}
+
+TEST(MatrixText, DoesNotFoldChipsThatDifferInOneRow) {
+    auto all = cellsOf({"voodoo1", "voodoo2"});
+    all.back().missing.push_back({"depth_bits", "a depth buffer", "nobody"});
+    EXPECT_THAT(rowOf(matrixText(all), "method"), ElementsAre("method", "voodoo1", "voodoo2"));
+    EXPECT_THAT(matrixText(all), Not(HasSubstr("alike")));
+}
+
+TEST(MatrixText, GoesOnInAFurtherBlockWhereItIsTooWide) {
+    std::vector<std::string> ids;
+    for (char letter = 'a'; letter <= 'z'; ++letter) ids.push_back(letter + std::string("-chip"));
+    const std::string text = matrixText(cellsOf(ids));
+    std::vector<std::string> heads;
+    std::size_t widest = 0;
+    int blocks = 0;
+    for (const std::string& line : linesOf(text)) {
+        widest = std::max(widest, line.size());
+        if (!line.starts_with("method  ")) continue;
+        ++blocks;
+        for (std::string id : rowOf(line + "\n", "method"))
+            if (id != "method") heads.push_back(id);
+    }
+    EXPECT_EQ(heads, ids) << "each once, in order";
+    EXPECT_LE(widest, 140u);
+    EXPECT_GT(widest, 120u) << "as few blocks as will do";
+    EXPECT_EQ(blocks, 4);
+}
+
+TEST(MatrixText, KeepsAColumnThatIsWiderThanABlock) {
+    const std::string id(200, 'x');
+    EXPECT_THAT(rowOf(matrixText(cellsOf({id})), "method"), ElementsAre("method", id));
+}
+
+TEST(MatrixText, NamesTheOthersWhereNearlyAllChipsAreMeant) {
+    std::vector<std::string> ids{"ideal"};
+    for (int i = 1; i <= 9; ++i) ids.push_back("chip" + std::to_string(i));
+    auto all = cellsOf(ids);
+    for (Cell& c : all)
+        for (Missing& m : c.missing) m.source = c.profile == "ideal" ? "itself" : "not in the profile";
+    EXPECT_THAT(matrixText(all),
+                AllOf(HasSubstr(" all but ideal: not in the profile\n"), HasSubstr(" ideal: itself\n")));
+}
+
+TEST(MatrixText, NamesCausesByTheHeadsOfColumns) {
+    auto all = cellsOf({"tnt", "voodoo1", "tnt2", "voodoo2", "xbox"});
+    EXPECT_THAT(matrixText(all), AllOf(HasSubstr("roettger-screen: rounding: 116 (tnt +1)\n"),
+                                       HasSubstr("roettger-screen: rounding: 120 (xbox)\n")));
+    all[0].causes = {{"dither", 116}};  // the same verdict for another reason
+    EXPECT_THAT(matrixText(all),
+                AllOf(HasSubstr("dither: 116 (tnt)\n"), HasSubstr("rounding: 116 (tnt2)\n")));
+}
+
+// Each footnote once, however many tables, blocks and chips it stands for.
+TEST(MatrixText, SaysEachNoteOnce) {
+    std::vector<std::string> ids;
+    for (char letter = 'a'; letter <= 'z'; ++letter) ids.push_back(letter + std::string("-chip"));
+    auto all = cellsOf(ids);
+    for (Cell c : cellsOf(ids)) c.scene = "knot", all.push_back(c);
+    const std::string text = matrixText(all);
+    int notes = 0;
+    for (const std::string& line : linesOf(text)) notes += line == "  a  stencil";
+    EXPECT_EQ(notes, 1);
+}
+
 TEST(MatrixText, TellsShadesApart) {
     std::vector<Cell> all = cells();
     for (Cell c : cells()) c.axes.shade = Shade::Black, c.verdict = Verdict::Exact, all.push_back(c);
