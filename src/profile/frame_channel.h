@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 
 #include "profile/blend.h"
@@ -15,6 +16,7 @@ struct FrameChannel {
     int bits = 8;
     DitherMode dither = DitherMode::Off;  ///< of no effect where dithers() is false
     int cell = 0;                         ///< of the dither matrix at the pixel: ditherCell()
+    auto operator<=>(const FrameChannel&) const = default;
 };
 
 /// The value that blending reads for @p code: replicated, or with low bits of zero (PS2, N64, NV2A). With
