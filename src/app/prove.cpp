@@ -144,12 +144,23 @@ std::vector<DitherMode> dithersOf(const Profile& profile, bool alpha, int bits) 
 }
 
 /// Proofs that several chips share.
-using Proofs = std::map<MaskClaim, MaskProof>;
+using Proofs = std::map<std::pair<MaskClaim, std::optional<int>>, MaskProof>;
 
 const MaskProof& proofOf(const MaskClaim& claim, std::optional<int> levels, Proofs& proofs) {
-    const auto at = proofs.find(claim);
+    const std::pair key(claim, levels);
+    const auto at = proofs.find(key);
     if (at != proofs.end()) return at->second;
-    return proofs.emplace(claim, bestProof(claim, startsOf(claim, levels))).first->second;
+    return proofs.emplace(key, bestProof(claim, startsOf(claim, levels))).first->second;
+}
+
+/// What double starts from: the best code, and then each level that the bits hold, unless one is @p asked
+/// for.
+std::vector<std::optional<int>> levelsOf(const MaskClaim& claim, std::optional<int> asked) {
+    if (claim.arithmetic != MaskArithmetic::Double) return {std::nullopt};
+    if (asked) return {asked};
+    std::vector<std::optional<int>> all{std::nullopt};
+    for (int levels = 1; levels <= claim.channel.bits; ++levels) all.emplace_back(levels);
+    return all;
 }
 
 /// The channel's unit at @p bits: what it can't draw.
@@ -203,8 +214,12 @@ void addRows(const Profile& profile, const std::string& store, MaskArithmetic ar
                 for (const DitherMode dither : dithers) {
                     row.claim.channel.dither = dither;
                     row.isDefaultDither = dithers.size() > 1 && dither == profile.ditherModes.front();
-                    row.proof = proofOf(row.claim, levels, proofs);
-                    rows.push_back(row);
+                    for (const std::optional<int> from : levelsOf(row.claim, levels)) {
+                        row.levels = from;
+                        row.proof = proofOf(row.claim, from, proofs);
+                        rows.push_back(row);
+                    }
+                    row.levels.reset();
                 }
             }
     }
@@ -249,8 +264,9 @@ void addProve(CLI::App& app, int& status) {
         ->delimiter(',');
     command->add_option("--arithmetic", options->arithmetics, "double, halve, parity, count (default: all)")
         ->delimiter(',');
-    command->add_option("--levels", options->levels,
-                        "double starts at 2^-levels, 1 to 8 (default: the best start of all codes)");
+    command->add_option(
+        "--levels", options->levels,
+        "double starts at 2^-levels, 1 to 8 (default: the best start of all codes, then each)");
     command
         ->add_option("--order", options->orders,
                      "volume (fronts, then backs of one convex volume after the other), fronts-first, "

@@ -64,6 +64,7 @@ std::vector<std::string> cellsOf(const ProofRow& r) {
                                    r.grade ? name(*r.grade) : "",
                                    name(r.claim.channel.dither),
                                    name(r.claim.arithmetic),
+                                   r.levels ? fmt::format("{}", *r.levels) : "",
                                    name(r.claim.means),
                                    name(r.claim.order)};
     if (!r.proof) return cells;
@@ -78,9 +79,9 @@ std::vector<std::string> cellsOf(const ProofRow& r) {
 }
 
 const std::vector<std::string> kHead{
-    "profile", "store",    "format",  "bits",    "unit",     "evidence",       "dither", "arithmetic",
-    "by",      "order",    "depth",   "volumes", "period",   "start",          "half",   "shadow",
-    "light",   "darkness", "drift_1", "drift_8", "drift_64", "counterexample", "codes"};
+    "profile", "store", "format",   "bits",    "unit",    "evidence", "dither",         "arithmetic",
+    "levels",  "by",    "order",    "depth",   "volumes", "period",   "start",          "half",
+    "shadow",  "light", "darkness", "drift_1", "drift_8", "drift_64", "counterexample", "codes"};
 
 /// Lit and shadow differ in every state of the cycle but the first.
 bool isExactInItsCycle(const MaskProof& proof) {
@@ -88,11 +89,10 @@ bool isExactInItsCycle(const MaskProof& proof) {
 }
 
 std::string reachOf(const std::optional<int>& depth, const std::optional<int>& volumes) {
-    if (!depth) return "exact for any number of volumes";
-    if (*depth > 0) return fmt::format("right with up to {} open", *depth);
-    if (volumes.value_or(1) > 0)
-        return fmt::format("right for {} volume{} in all", *volumes, *volumes == 1 ? "" : "s");
-    return "never right";
+    if (!depth) return "exact";
+    if (*depth > 0) return fmt::format("up to {} open", *depth);
+    if (volumes.value_or(1) > 0) return fmt::format("up to {} in all", *volumes);
+    return "never";
 }
 
 std::string reachOf(const MaskProof& proof) {
@@ -127,11 +127,17 @@ std::string reachInWords(const Rows& rows) {
     return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// Whether the figures of @p row are shown: the best start's, unless there are only those of asked levels.
+bool isShown(const ProofRow& row, const Rows& rows) {
+    return !row.levels ||
+           std::none_of(rows.begin(), rows.end(), [](const ProofRow* r) { return !r->levels; });
+}
+
 std::string halfInWords(const Rows& rows) {
     std::set<int> halves;
     bool notTheOther = false;
     for (const ProofRow* r : rows) {
-        if (!usesHalfConstant(r->claim)) continue;
+        if (!usesHalfConstant(r->claim) || !isShown(*r, rows)) continue;
         halves.insert(r->proof->choice.half);
         notTheOther = notTheOther || r->proof->otherHalf;
     }
@@ -153,21 +159,61 @@ std::string driftInWords(const Rows& rows) {
     return fmt::format("drifts by {} codes in {} volumes", range(all), all.volumes);
 }
 
-/// What one mode of dithering gives, in each order.
-std::string modeInWords(const Rows& rows) {
+/// "1 up to 1 open, 2 to 5 exact", or "2 up to 32 in all, drifts by -64 codes in 64 volumes".
+std::string levelsInWords(const Rows& rows) {
+    std::map<int, Rows> byLevel;
+    for (const ProofRow* r : rows) byLevel[*r->levels].push_back(r);
+    struct Run {
+        int first = 0, last = 0;
+        std::string text{};
+    };
+    std::vector<Run> runs;
+    for (const auto& [levels, ofLevel] : byLevel) {
+        const std::string reach = reachInWords(ofLevel), drift = driftInWords(ofLevel);
+        const std::string text = drift == "no drift" ? reach : fmt::format("{}, {}", reach, drift);
+        if (runs.empty() || runs.back().text != text) runs.push_back({levels, levels, text});
+        runs.back().last = levels;
+    }
+    std::vector<std::string> parts;
+    for (const Run& run : runs)
+        parts.push_back(run.first == run.last ? fmt::format("{}: {}", run.first, run.text)
+                                              : fmt::format("{} to {}: {}", run.first, run.last, run.text));
+    return fmt::format("{}", fmt::join(parts, "; "));
+}
+
+/// What one mode of dithering gives: a line for all orders, and for double one per width with its levels in
+/// the first order.
+std::string modeInWords(const std::string& mode, const Rows& rows) {
     std::vector<std::string> parts;
     Rows first;
+    std::map<int, Rows> levelsOfBits;
     for (int o = 0; o < kDrawOrders; ++o) {
         Rows ofOrder;
         for (const ProofRow* r : rows)
-            if (r->claim.order == DrawOrder(o)) ofOrder.push_back(r);
+            if (r->claim.order == DrawOrder(o) && isShown(*r, rows)) ofOrder.push_back(r);
         if (ofOrder.empty()) continue;
-        if (first.empty()) first = ofOrder;
+        if (first.empty()) {
+            first = ofOrder;
+            for (const ProofRow* r : rows)
+                if (r->claim.order == DrawOrder(o) && !isShown(*r, rows))
+                    levelsOfBits[r->claim.channel.bits].push_back(r);
+        }
         parts.push_back(fmt::format("{} {}", name(DrawOrder(o)), reachInWords(ofOrder)));
     }
     const std::string half = halfInWords(rows);
-    return fmt::format("{}{}{}; {}", half, half.empty() ? "" : ": ", fmt::join(parts, "; "),
-                       driftInWords(first));
+    const std::string head = fmt::format("{}{}{}", mode, mode.empty() || half.empty() ? "" : ", ", half);
+    std::string text = "  " +
+                       wrapText(fmt::format("{}{}{}; {}", head, head.empty() ? "" : ": ",
+                                            fmt::join(parts, "; "), driftInWords(first)),
+                                6) +
+                       "\n";
+    for (const auto& [bits, ofBits] : levelsOfBits)
+        text += "    " +
+                wrapText(fmt::format("{} bits, {} by levels: {}", bits, name(first.front()->claim.order),
+                                     levelsInWords(ofBits)),
+                         8) +
+                "\n";
+    return text;
 }
 
 /// One paragraph per chip, store, arithmetic and means: without dithering, and with the driver's default.
@@ -175,8 +221,11 @@ std::string inWords(const std::vector<ProofRow>& rows) {
     std::vector<std::pair<std::string, Rows>> groups;
     for (const ProofRow& r : rows) {
         if (!r.proof) continue;
-        const std::string by =
-            r.claim.means == MaskMeans::Blend ? "" : fmt::format(" by {}", name(r.claim.means));
+        // Units are what is known of one chip, but the PS2's two are a choice.
+        const bool wraps = r.claim.channel.unit == BlendUnit::GsWrap;
+        const std::string by = r.claim.means != MaskMeans::Blend ? fmt::format(" by {}", name(r.claim.means))
+                               : wraps ? fmt::format(" by {}", name(BlendUnit::GsWrap))
+                                       : "";
         const std::string about = fmt::format("{} {} {}{}", r.profile, r.store, name(r.claim.arithmetic), by);
         if (groups.empty() || groups.back().first != about) {
             const auto at = std::find_if(groups.begin(), groups.end(),
@@ -196,16 +245,14 @@ std::string inWords(const std::vector<ProofRow>& rows) {
             if (r->claim.channel.dither == DitherMode::Off) off.push_back(r);
             if (r->isDefaultDither && r->claim.channel.dither != DitherMode::Off) byDefault.push_back(r);
         }
-        std::string sentence = fmt::format("{}: ", about);
+        text += about + "\n";
         if (off.empty() && byDefault.empty())
-            sentence +=
-                fmt::format("dither {}, {}.", name(all.front()->claim.channel.dither), modeInWords(all));
-        if (!off.empty())
-            sentence += fmt::format("{}{}.", byDefault.empty() ? "" : "dither off, ", modeInWords(off));
+            text += modeInWords(fmt::format("dither {}", name(all.front()->claim.channel.dither)), all);
+        if (!off.empty()) text += modeInWords(byDefault.empty() ? "" : "dither off", off);
         if (!byDefault.empty())
-            sentence += fmt::format("{}With the driver's dither {}, {}.", off.empty() ? "" : " ",
-                                    name(byDefault.front()->claim.channel.dither), modeInWords(byDefault));
-        text += wrapText(sentence, 4) + "\n";
+            text += modeInWords(
+                fmt::format("dither {}, the driver's default", name(byDefault.front()->claim.channel.dither)),
+                byDefault);
     }
     return text;
 }
@@ -224,6 +271,7 @@ Json jsonOf(const ProofRow& r) {
              {"dither", name(r.claim.channel.dither)},
              {"default_dither", r.isDefaultDither},
              {"arithmetic", name(r.claim.arithmetic)},
+             {"levels", jsonOf(r.levels)},
              {"by", name(r.claim.means)},
              {"order", name(r.claim.order)}};
     if (!r.proof) {
@@ -298,7 +346,11 @@ std::string showProofs(const std::vector<ProofRow>& rows, Format format) {
 
     std::vector<std::vector<std::string>> table{kHead};
     std::string refusals;
+    Rows proved;
+    for (const ProofRow& r : rows)
+        if (r.proof && r.claim.arithmetic == MaskArithmetic::Double) proved.push_back(&r);
     for (const ProofRow& r : rows) {
+        if (r.proof && !isShown(r, proved)) continue;
         if (!r.proof) {
             const std::string line =
                 wrapText(fmt::format("{} {} {}: refused, the chip lacks {} [{}]", r.profile, r.store,
@@ -318,9 +370,12 @@ std::string showProofs(const std::vector<ProofRow>& rows, Format format) {
     std::string text = inWords(rows);
     if (table.size() > 1)
         text +=
-            "\nAbove, \"open\" are volumes open at one time, \"in all\" are volumes on one ray; \"exact "
-            "modulo N\" is\n"
-            "exact in any order but where a multiple of N volumes are open. Best choice of each:\n\n" +
+            "\nexact: right for any number of volumes; up to N open: with no more of them open at a time; up "
+            "to N\n"
+            "in all: with no more of them on a ray; exact modulo N: in any order, but where a multiple of N "
+            "are\n"
+            "open. double is from the best start, and by levels from 2^-levels. The figures, of the best "
+            "starts:\n\n" +
             alignColumns(table) +
             "\nEvery pixel is right with up to \"depth\" volumes open at one time, however many there are;\n"
             "and with up to \"volumes\" on its ray, however they overlap. period: the code depends on the "
