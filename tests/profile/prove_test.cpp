@@ -148,6 +148,8 @@ TEST(Prove, FindsThatWrappingCountsAreExactModuloTheirCycle) {
         EXPECT_EQ(best({Flipper, 6}, Count, order).period, std::nullopt);
     }
     EXPECT_EQ(best({IdealRound, 8}, Parity, PerTriangle).period, 2);
+    // White doubles to white, but halving doesn't lead back: no cycle.
+    EXPECT_EQ(prove({{IdealRound, 8}, Double, Volume}, {255, 128, 255}).period, std::nullopt);
     // Inversion is 254 - v there below 128, and not its own inverse.
     EXPECT_EQ(prove({{PowerVr, 8}, Parity, Volume}, {.start = 200, .threshold = 128}).period, std::nullopt);
 }
