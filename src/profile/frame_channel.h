@@ -1,5 +1,6 @@
 #pragma once
 
+#include <compare>
 #include <optional>
 
 #include "profile/blend.h"
@@ -15,6 +16,7 @@ struct FrameChannel {
     int bits = 8;
     DitherMode dither = DitherMode::Off;  ///< of no effect where dithers() is false
     int cell = 0;                         ///< of the dither matrix at the pixel: ditherCell()
+    auto operator<=>(const FrameChannel&) const = default;
 };
 
 /// The value that blending reads for @p code: replicated, or with low bits of zero (PS2, N64, NV2A). With
@@ -30,6 +32,8 @@ int enteringSource(const FrameChannel& channel, int value);
 /// The code that is stored for @p value: one path for every chip and mode. Without dithering the low bits
 /// drop.
 /// @param value  of blend(), or of blendUnclamped(): PS2 and PSP add their cells before they clamp or wrap
+///               (PCSX2 GSDrawScanline.cpp; PPSSPP DrawPixel.cpp, whose SSE path though ends differences at 0
+///               first)
 /// @param wraps  whether the sum keeps its low bits instead of clamping (BlendOperation::AddWrap)
 int stored(const FrameChannel& channel, int value, bool wraps = false);
 

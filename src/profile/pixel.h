@@ -68,7 +68,8 @@ constexpr int virgeCell(int x, int y) {
     return kCells[y & 3][x & 3];
 }
 
-/// ViRGE's dithered store in 5 bits; above 248 nothing is added. Section 2.15 (86VIRGE).
+/// ViRGE's dithered store in 5 bits; above 248 nothing is added, so that white stays white. Section 2.15
+/// (86VIRGE; sarah-walker-pcem/pcem : src/video/vid_s3_virge.c, RGB15, has the same).
 constexpr int virgeDithered(int value, int cell) {
     return value > 248 ? 31 : (value + cell) >> 3;
 }

@@ -19,16 +19,19 @@ struct Steps {
     std::vector<int> up{}, down{};
 };
 
-std::pair<MaskOperation, MaskOperation> operationsOf(MaskArithmetic arithmetic) {
+std::pair<MaskOperation, MaskOperation> operationsOf(MaskArithmetic arithmetic, MaskMeans means) {
+    using enum MaskOperation;
     switch (arithmetic) {
         case MaskArithmetic::Double:
-            return {MaskOperation::Double, MaskOperation::Halve};
+            return {Double, Halve};
         case MaskArithmetic::Halve:
-            return {MaskOperation::Halve, MaskOperation::Double};
+            return {Halve, Double};
         case MaskArithmetic::Parity:
-            return {MaskOperation::Invert, MaskOperation::Invert};
+            if (means == MaskMeans::LogicOp) return {InvertBits, InvertBits};
+            return {Invert, Invert};
         case MaskArithmetic::Count:
-            return {MaskOperation::Increment, MaskOperation::Decrement};
+            if (means == MaskMeans::AddWrap) return {IncrementWrap, DecrementWrap};
+            return {Increment, Decrement};
     }
     return {};
 }
@@ -42,7 +45,7 @@ std::vector<int> cellsOf(DitherMode mode) {
 }
 
 std::vector<Steps> stepsOf(const MaskClaim& claim, int half) {
-    const auto [up, down] = operationsOf(claim.arithmetic);
+    const auto [up, down] = operationsOf(claim.arithmetic, claim.means);
     std::vector<Steps> all;
     for (const int cell : cellsOf(claim.channel.dither)) {
         FrameChannel channel = claim.channel;
@@ -55,10 +58,6 @@ std::vector<Steps> stepsOf(const MaskClaim& claim, int half) {
         all.push_back(std::move(steps));
     }
     return all;
-}
-
-bool shadowIsBright(MaskArithmetic arithmetic) {
-    return arithmetic == MaskArithmetic::Double || arithmetic == MaskArithmetic::Count;
 }
 
 /// A place in the drawing of one pixel.
@@ -86,23 +85,36 @@ class Places {
 /// Calls @p visit(next, crossings, volumes) for each way on from @p state.
 template <class Visit>
 void forEachNext(const Steps& steps, DrawOrder order, int most, const State& state, Visit visit) {
-    const int up = steps.up[std::size_t(state.code)], down = steps.down[std::size_t(state.code)];
-    const State front{up, state.open + 1, false};
+    const auto up = [&](int code) { return steps.up[std::size_t(code)]; };
+    const auto down = [&](int code) { return steps.down[std::size_t(code)]; };
+    const int once = up(state.code), there = down(once);
+    const bool mayOpen = state.open < most;
     switch (order) {
         case DrawOrder::Volume:
-            if (front.open > most) return;
-            visit(front, "D", 1);
-            visit(State{steps.down[std::size_t(up)], state.open, false}, "DH", 1);
+            if (!mayOpen) return;
+            visit(State{once, state.open + 1}, "D", 1);
+            visit(State{there, state.open}, "DH", 1);
             return;
         case DrawOrder::FrontsFirst:
-            if (!state.backs && front.open <= most) visit(front, "D", 1);
-            if (state.open > 0) visit(State{down, state.open - 1, true}, "H", 0);
+            if (!state.backs && mayOpen) visit(State{once, state.open + 1}, "D", 1);
+            if (state.open > 0) visit(State{down(state.code), state.open - 1, true}, "H", 0);
             return;
         case DrawOrder::PerTriangle:
-            if (front.open <= most) visit(front, "D", 1);
-            if (state.open > -most) visit(State{down, state.open - 1, false}, "H", 0);
+            if (mayOpen) visit(State{once, state.open + 1}, "D", 1);
+            if (state.open > -most) visit(State{down(state.code), state.open - 1}, "H", 0);
+            return;
+        case DrawOrder::NearerOnly:
+            if (!mayOpen) return;
+            visit(State{up(there), state.open + 1}, "DHD", 1);
+            visit(State{there, state.open}, "DH", 1);
+            visit(State{up(down(there)), state.open}, "DHHD", 1);
             return;
     }
+}
+
+/// Whether all that matters of the open volumes is that there is one: no later crossing depends on them.
+bool forgetsOpen(DrawOrder order) {
+    return order == DrawOrder::Volume || order == DrawOrder::NearerOnly;
 }
 
 /// The fewest volumes with which a pixel, lit or in shadow, ends with each code.
@@ -138,11 +150,14 @@ bool allFail(const Reached& reached, MaskArithmetic arithmetic) {
 /// Breadth first by volumes. Ends when nothing is new, when every threshold has failed, or after @p volumes.
 Reached explore(const Steps& steps, const MaskClaim& claim, int start, int most, int volumes = kNever) {
     const std::size_t codes = steps.up.size();
-    const Places places(int(codes), most);
+    // Without a bound on the nesting, one open volume stands for any number.
+    const bool forgets = most == kMostNesting && forgetsOpen(claim.order);
+    const Places places(int(codes), forgets ? 1 : most);
     std::vector<bool> seen(places.count());
     Reached reached{std::vector<int>(codes, kNever), std::vector<int>(codes, kNever)};
     std::vector<State> level, next;
-    const auto enter = [&](const State& s, std::vector<State>& into) {
+    const auto enter = [&](State s, std::vector<State>& into) {
+        if (forgets) s.open = std::min(s.open, 1);
         const std::size_t index = places.indexOf(s);
         if (seen[index]) return;
         seen[index] = true;
@@ -338,6 +353,23 @@ std::vector<MaskProof::Drift> driftOf(const std::vector<Steps>& cells, int start
     return all;
 }
 
+/// MaskProof::period, over all cells; none where they differ.
+std::optional<int> periodOf(const std::vector<Steps>& cells, int start) {
+    std::optional<int> period;
+    for (const Steps& steps : cells) {
+        int code = start, length = 0;
+        do {
+            const int next = steps.up[std::size_t(code)];
+            if (steps.down[std::size_t(next)] != code) return {};
+            code = next;
+            if (++length > int(steps.up.size())) return {};
+        } while (code != start);
+        if (period && *period != length) return {};
+        period = length;
+    }
+    return period;
+}
+
 std::optional<int> limit(int value) {
     return value == kNever ? std::nullopt : std::optional(value);
 }
@@ -348,6 +380,7 @@ MaskProof complete(const std::vector<Steps>& cells, const MaskClaim& claim, cons
     proof.counterexample = shortest(cells, claim, choice);
     measureResidue(cells, claim, proof);
     proof.drift = driftOf(cells, choice.start);
+    proof.period = periodOf(cells, choice.start);
     return proof;
 }
 
@@ -358,14 +391,29 @@ const std::string& name(MaskArithmetic word) {
     return kNames[std::size_t(word)];
 }
 
-const std::string& name(DrawOrder word) {
-    static const std::array<std::string, kDrawOrders> kNames{"volume", "fronts-first", "per-triangle"};
+const std::string& name(MaskMeans word) {
+    static const std::array<std::string, kMaskMeans> kNames{"blend", "add_wrap", "logic_op"};
     return kNames[std::size_t(word)];
 }
 
-bool canDraw(const FrameChannel& channel, MaskArithmetic arithmetic) {
-    const auto [up, down] = operationsOf(arithmetic);
+const std::string& name(DrawOrder word) {
+    static const std::array<std::string, kDrawOrders> kNames{"volume", "fronts-first", "per-triangle",
+                                                             "nearer-only"};
+    return kNames[std::size_t(word)];
+}
+
+bool canDraw(const FrameChannel& channel, MaskArithmetic arithmetic, MaskMeans means) {
+    const auto [up, down] = operationsOf(arithmetic, means);
     return apply(channel, up, 0).has_value() && apply(channel, down, 0).has_value();
+}
+
+bool usesHalfConstant(const MaskClaim& claim) {
+    return takesHalfConstant(claim.channel.unit) &&
+           (claim.arithmetic == MaskArithmetic::Double || claim.arithmetic == MaskArithmetic::Halve);
+}
+
+bool shadowIsBright(MaskArithmetic arithmetic) {
+    return arithmetic == MaskArithmetic::Double || arithmetic == MaskArithmetic::Count;
 }
 
 std::vector<int> startsOf(const MaskClaim& claim, std::optional<int> levels) {
@@ -390,7 +438,7 @@ std::vector<int> startsOf(const MaskClaim& claim, std::optional<int> levels) {
 }
 
 MaskProof prove(const MaskClaim& claim, const MaskChoice& choice) {
-    assert(canDraw(claim.channel, claim.arithmetic));
+    assert(canDraw(claim.channel, claim.arithmetic, claim.means));
     assert(choice.threshold >= 0 && choice.threshold <= largestCode(claim.channel.bits) + 1);
     const auto cells = stepsOf(claim, choice.half);
     const Limits limits = limitsOf(cells, claim, choice.start, choice.threshold);
@@ -399,12 +447,13 @@ MaskProof prove(const MaskClaim& claim, const MaskChoice& choice) {
 }
 
 MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
-    assert(canDraw(claim.channel, claim.arithmetic) && !starts.empty());
+    assert(canDraw(claim.channel, claim.arithmetic, claim.means) && !starts.empty());
     // All choices that reach as far as any.
     std::pair best{-2, -2};
+    std::array<std::pair<int, int>, 2> bestOf{best, best};  // of 128, of 127
     std::vector<MaskChoice> equals;
     for (const int half : {128, 127}) {
-        if (half == 127 && !takesHalfConstant(claim.channel.unit)) break;
+        if (half == 127 && !usesHalfConstant(claim)) break;
         const auto cells = stepsOf(claim, half);
         for (const int start : starts) {
             const Limits limits = limitsOf(cells, claim, start);
@@ -412,6 +461,8 @@ MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
             std::size_t first = 0;
             for (std::size_t t = 0; t < limits.depth.size(); ++t)
                 if (valueOf(t) > valueOf(first)) first = t;
+            auto& bestOfHalf = bestOf[half == 128 ? 0 : 1];
+            bestOfHalf = std::max(bestOfHalf, valueOf(first));
             if (valueOf(first) < best) continue;
             if (valueOf(first) > best) equals.clear();
             best = valueOf(first);
@@ -436,7 +487,11 @@ MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
                 choice = other;
             }
     }
-    return complete(stepsOf(claim, choice.half), claim, choice, best.first, best.second);
+    MaskProof proof = complete(stepsOf(claim, choice.half), claim, choice, best.first, best.second);
+    const auto& other = bestOf[choice.half == 128 ? 1 : 0];
+    if (usesHalfConstant(claim) && other < best)
+        proof.otherHalf = {{.depth = limit(other.first), .volumes = limit(other.second)}};
+    return proof;
 }
 
 }  // namespace gnomon

@@ -16,23 +16,37 @@ enum class MaskArithmetic : std::uint8_t {
     Count,   ///< D adds one step, H takes it away; a shadow is brighter
 };
 
-/// The order in which the crossings of one pixel are drawn.
+/// By what a chip draws it.
+enum class MaskMeans : std::uint8_t {
+    Blend,    ///< blending that clamps; to count, add and reverse_subtract
+    AddWrap,  ///< count: two sums that wrap
+    LogicOp,  ///< parity: the logic operation Invert
+};
+
+/// The order in which the crossings of one pixel are drawn. An eye inside a volume changes nothing: its near
+/// cap (zpass-cap) or the faces behind the surface (zfail, where D is a back face) make the same sequences.
 enum class DrawOrder : std::uint8_t {
     Volume,  ///< volume by volume, each convex, fronts before backs: DH, or D where the surface lies inside
     FrontsFirst,  ///< all fronts, then all backs; also one volume that isn't convex
     PerTriangle,  ///< any order
+    NearerOnly,  ///< volume by volume, by zfail without a farther test: all faces, then the nearer ones taken
+                 ///< back. DH, DHHD, or DHD where the surface lies inside
 };
 
-/// "double", "halve", "parity", "count"; "volume", "fronts-first", "per-triangle".
+/// "double", "halve", "parity", "count"; "blend", "add_wrap", "logic_op"; "volume", "fronts-first",
+/// "per-triangle", "nearer-only".
 const std::string& name(MaskArithmetic);
+const std::string& name(MaskMeans);
 const std::string& name(DrawOrder);
-constexpr int kMaskArithmetics = 4, kDrawOrders = 3;
+constexpr int kMaskArithmetics = 4, kMaskMeans = 3, kDrawOrders = 4;
 
 /// A claim to explore: one channel, over all cells of its dither matrix.
 struct MaskClaim {
     FrameChannel channel{};  ///< its cell doesn't matter
     MaskArithmetic arithmetic = MaskArithmetic::Double;
     DrawOrder order = DrawOrder::Volume;
+    MaskMeans means = MaskMeans::Blend;
+    auto operator<=>(const MaskClaim&) const = default;
 };
 
 /// What a mask is set up with. Codes below the threshold are lit with double and count, shadow with halve and
@@ -60,6 +74,15 @@ struct MaskProof {
     /// any.
     std::optional<int> volumes = 0;
     std::optional<Counterexample> counterexample{};  ///< a shortest; none if there is no wrong pixel
+    /// If the code depends on the number of open volumes alone, whatever the order and however many were
+    /// closed before: so many open ones make the start's code again. None if it doesn't.
+    std::optional<int> period{};
+    /// The best depth and number of volumes with the other constant for 1/2, whatever its start and
+    /// threshold, if it reaches less; bestProof() only.
+    struct Reach {
+        std::optional<int> depth{}, volumes{};
+    };
+    std::optional<Reach> otherHalf{};
     /// Of the pixels within depth (or within volumes, if the depth is 0): what normalisation leaves, in
     /// codes, of light where there is shadow, and of darkness where there is none. None if the chip or the
     /// arithmetic has no normalisation by blending.
@@ -74,8 +97,14 @@ struct MaskProof {
 /// The most volumes that may be open at one time in the search: beyond any channel of 8 bits.
 constexpr int kMostNesting = 260;
 
-/// Whether the channel's unit can draw @p arithmetic at all.
-bool canDraw(const FrameChannel& channel, MaskArithmetic arithmetic);
+/// Whether the channel can draw @p arithmetic at all.
+bool canDraw(const FrameChannel& channel, MaskArithmetic arithmetic, MaskMeans means = MaskMeans::Blend);
+
+/// Whether a constant for 1/2 is part of the choice.
+bool usesHalfConstant(const MaskClaim& claim);
+
+/// Whether a shadow is at or above the threshold, and not below it.
+bool shadowIsBright(MaskArithmetic arithmetic);
 
 /// Codes that are good to start @p claim from, the cheapest first: with @p levels those next to 2^-levels
 /// (double only), else all that could do.
