@@ -123,11 +123,12 @@ class PassRunner {
 
     const CopiedTexture& mask() const { return m_mask; }
 
-    /// Takes OpenGL's defaults for the state that is kept between passes.
-    void forgetState() {
-        m_equation = BlendEquation::Add;
-        m_stencilMask = ~0u;
-        m_logicOp = m_alphaTest = false;
+    /// Sets the state that is kept between passes to OpenGL's defaults, so that decorators know of it.
+    void defaultState() {
+        if (m_equation != BlendEquation::Add) gl.BlendEquation(glEnum(m_equation = BlendEquation::Add));
+        stencilMask(~0u);
+        turn(GL_COLOR_LOGIC_OP, m_logicOp, false);
+        turn(GL_ALPHA_TEST, m_alphaTest, false);
     }
 
   private:
@@ -430,8 +431,8 @@ std::vector<bool> testedShadows(const Image& image, int channel, const AlphaTest
 std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, const MaskTap& tap,
                                   PassRunner& runner) {
     const GlTable& gl = surface.driver();
+    runner.defaultState();
     resetState(gl);
-    runner.forgetState();
     gl.Viewport(0, 0, plan.width, plan.height);
     CopiedTexture kept;
     gl.GenTextures(1, &kept.name);

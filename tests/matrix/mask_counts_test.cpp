@@ -133,7 +133,7 @@ TEST(DeepNests, ClampAMaskOf5Bits) {
 TEST(DeepNests, WrapAMaskOf5Bits) {
     if (!drawsSumsThatWrap()) GTEST_SKIP() << "nothing draws sums that wrap";
     const Axes axes = overflowing("screen-count", Overflow::Wrap);
-    Lab fits(nest(31, 5)), tooDeep(nest(0, 32));
+    Lab fits(nest(26, 5)), tooDeep(nest(0, 32));
     EXPECT_EQ(resultOf(fits.run(fewBits(), axes, kWidth, kHeight, 0)), "exact 0/0");
     expectWrong(tooDeep.run(fewBits(), axes, kWidth, kHeight, 0), "mask wraps");
 }
