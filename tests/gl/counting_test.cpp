@@ -300,6 +300,22 @@ TEST(DeepStacks, FoolAMaskOf5BitsThatWrapsAtExactly32) {
     EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(60, 5), wraps, p));
 }
 
+// Filtering would make counts that no pixel had, and shadows of all of them.
+TEST(CountTexture, IsNotFilteredBetweenItsTexels) {
+    Studio studio(twoBoxes(), 96, 72);
+    for (const char* id : {"screen-count", "alpha-count"}) {
+        Axes axes = axesOf(id);
+        axes.maskDivisor = 2;
+        const auto mask = studio.mask(axes);
+        ASSERT_GT(shadows(mask), 150);
+        int split = 0;
+        for (std::size_t y = 0; y < 72; ++y)
+            for (std::size_t x = 0; x < 96; ++x)
+                split += mask[y * 96 + x] != mask[(y & ~1u) * 96 + (x & ~1u)];
+        EXPECT_EQ(split, 0) << id << ": pixels unlike the first of their texel";
+    }
+}
+
 // By logic operation or by blending: 255 - v and the inverse of its bits are the same in any number of bits.
 TEST(Inversion, IsTheSameByLogicOperationAndByBlending) {
     for (const Profile& with : {ideal(), fewBits()})
