@@ -230,8 +230,8 @@ void MethodOption::addTo(CLI::App& app) {
     axis("--apply", applies, listOf<Apply>(kApplies));
     axis("--shade", shades, "black, ambient, attenuated (default)");
     axis("--start", starts,
-         "where a stencil's count starts: zero (default), middle, bias (1 per volume that holds the eye)");
-    axis("--overflow", overflows, "a stencil's: either (default: wrap where the chip can), wrap, saturate");
+         "where a count starts: zero (default), middle, bias (a stencil's: 1 per volume that holds the eye)");
+    axis("--overflow", overflows, "of a count: either (default: wrap where the chip can), wrap, saturate");
     axis("--caps", caps, "of volumes: the lit faces (default) or those turned away");
     axis("--clip", clips, "where the host cuts volumes: frustum (default), eye (the plane through it), none");
     app.add_option("--offset", offsets, "start volumes this far behind their caster, world units (zfail)")

@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/path.h"
+#include "plan/chip_terms.h"
 
 namespace gnomon {
 namespace {
@@ -45,8 +46,10 @@ int run(const Options& options) {
     std::vector<PlanSheet> sheets;
     for (const Axes& axes : methods) {
         const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
+        std::vector<std::string> terms;
+        for (const Pass& pass : plan.passes) terms.push_back(chipTerms(pass, profile));
         sheets.push_back({methodId(axes), name(axes.shade), profile.id, lab.scene().id, options.frame, plan,
-                          lab.missingFor(profile, axes, plan)});
+                          lab.missingFor(profile, axes, plan), std::move(terms)});
     }
     fmt::print("{}", showPlans(sheets, format));
     return 0;
@@ -57,7 +60,7 @@ int run(const Options& options) {
 void addPlan(CLI::App& app, int& status) {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
-        "plan", "The passes of one frame in OpenGL's terms, and what the chip lacks for them");
+        "plan", "The passes of one frame in OpenGL's terms and the chip's, and what the chip lacks for them");
     options->scenes.addTo(*command, "scene: id, scene file, mesh file (default: roettger)");
     options->profiles.addTo(*command, "chip (default: ideal)");
     options->methods.addTo(*command);

@@ -25,6 +25,7 @@ namespace {
 /// The state that decides whether a draw is allowed, as far as the caller has set it.
 struct DrawState {
     bool blend = false;
+    bool logicOp = false;  ///< takes the place of blending
     GLenum source = GL_ONE, destination = GL_ZERO, alphaSource = GL_ONE, alphaDestination = GL_ZERO;
     GLenum equation = GL_FUNC_ADD;
     bool red = true, green = true, blue = true;
@@ -74,6 +75,8 @@ class Judge {
         const std::string word = enumName(what);
         if (what == GL_DEPTH_TEST) need(p.depth, call, word, "depth_bits");
         if (what == GL_STENCIL_TEST) need(p.stencilBits > 0, call, word, "stencil_bits");
+        if (what == GL_ALPHA_TEST) need(!p.alphaFunctions.empty(), call, word, "alpha_functions");
+        if (what == GL_COLOR_LOGIC_OP) need(p.logicOps, call, word, "logic_ops");
         if (what == GL_DEPTH_CLAMP) need(p.depthClamp, call, word, "depth_clamp");
         if (what == GL_TEXTURE_2D) need(p.textureUnits > 0, call, word, "texture_units");
         if (what == GL_POLYGON_OFFSET_FILL)
@@ -101,6 +104,11 @@ class Judge {
         need(p.depth, "glDepthFunc", enumName(function), "depth_bits");
         const auto word = compareOf(function);
         need(!word || p.depthFunctions.contains(*word), "glDepthFunc", enumName(function), "depth_functions");
+    }
+
+    void alphaFunction(GLenum function) const {
+        const auto word = compareOf(function);
+        need(!word || p.alphaFunctions.contains(*word), "glAlphaFunc", enumName(function), "alpha_functions");
     }
 
     /// A pair that no state makes possible is refused where it is set; one that needs a constant source at
@@ -199,6 +207,8 @@ class Judge {
     void draw(const char* call, const DrawState& s) const {
         const bool colour = s.red || s.green || s.blue;
         if (s.alpha) alphaPlanes(call, "writing alpha");
+        if (s.logicOp)
+            return need(!s.alpha || p.blendWritesAlpha, call, "a logic op on alpha", "blend_writes_alpha");
         if (!s.blend || !(colour || s.alpha)) return;
         if (s.equation == GL_MIN || s.equation == GL_MAX) return;
         const std::string pair = "blending " + enumName(s.source) + ", " + enumName(s.destination);
@@ -271,11 +281,13 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     gl.Enable = [=](GLenum what) {
         judge->enable(what);
         if (what == GL_BLEND) state->blend = true;
+        if (what == GL_COLOR_LOGIC_OP) state->logicOp = true;
         if (what == GL_TEXTURE_2D) state->texture = true;
         driver->Enable(what);
     };
     gl.Disable = [=](GLenum what) {
         if (what == GL_BLEND) state->blend = false;
+        if (what == GL_COLOR_LOGIC_OP) state->logicOp = false;
         if (what == GL_TEXTURE_2D) state->texture = false;
         driver->Disable(what);
     };
@@ -286,6 +298,10 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     gl.DepthMask = [=](GLboolean write) {
         judge->need(!write || judge->p.depth, "glDepthMask", "GL_TRUE", "depth_bits");
         driver->DepthMask(write);
+    };
+    gl.AlphaFunc = [=](GLenum function, GLfloat reference) {
+        judge->alphaFunction(function);
+        driver->AlphaFunc(function, reference);
     };
     gl.StencilFunc = [=](GLenum function, GLint reference, GLuint mask) {
         judge->stencil("glStencilFunc", enumName(function));
@@ -349,6 +365,10 @@ GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable 
     gl.BlendColor = [=](GLfloat r, GLfloat g, GLfloat b, GLfloat a) {
         judge->blendColour();
         driver->BlendColor(r, g, b, a);
+    };
+    gl.LogicOp = [=](GLenum operation) {
+        judge->need(judge->p.logicOps, "glLogicOp", enumName(operation), "logic_ops");
+        driver->LogicOp(operation);
     };
 
     // Geometry

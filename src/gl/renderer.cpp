@@ -59,6 +59,10 @@ void fillWith(const GlTable& gl, const CopiedTexture& texture) {
     gl.Disable(GL_TEXTURE_2D);
 }
 
+bool isConstant(BlendFactor factor) {
+    return factor >= BlendFactor::ConstantColor && factor <= BlendFactor::OneMinusConstantAlpha;
+}
+
 /// Executes passes; each sets all the state that it depends on.
 class PassRunner {
   public:
@@ -119,10 +123,12 @@ class PassRunner {
 
     const CopiedTexture& mask() const { return m_mask; }
 
-    /// Takes OpenGL's defaults for the state that is kept between passes.
-    void forgetState() {
-        m_equation = BlendEquation::Add;
-        m_stencilMask = ~0u;
+    /// Sets the state that is kept between passes to OpenGL's defaults, so that decorators know of it.
+    void defaultState() {
+        if (m_equation != BlendEquation::Add) gl.BlendEquation(glEnum(m_equation = BlendEquation::Add));
+        stencilMask(~0u);
+        turn(GL_COLOR_LOGIC_OP, m_logicOp, false);
+        turn(GL_ALPHA_TEST, m_alphaTest, false);
     }
 
   private:
@@ -254,8 +260,9 @@ class PassRunner {
         texture.u = float(width) / float(textureWidth), texture.v = float(height) / float(textureHeight);
         if (!texture.name) gl.GenTextures(1, &texture.name);
         gl.BindTexture(GL_TEXTURE_2D, texture.name);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+        const GLint filter = pass.nearest ? GL_NEAREST : GL_LINEAR;
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, filter);
+        gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
         gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
         gl.TexEnvi(GL_TEXTURE_ENV, GL_TEXTURE_ENV_MODE, GL_REPLACE);
@@ -318,6 +325,12 @@ class PassRunner {
         if (mask != m_stencilMask) gl.StencilMask(m_stencilMask = mask);
     }
 
+    void turn(GLenum what, bool& is, bool on) {
+        if (is == on) return;
+        on ? gl.Enable(what) : gl.Disable(what);
+        is = on;
+    }
+
     void state(const Pass& pass) {
         colourMask(pass.write);
         if (pass.depthTest || pass.depthWrite) {
@@ -328,12 +341,20 @@ class PassRunner {
         }
         gl.DepthMask(pass.depthWrite);
 
+        // A chip without these has no such calls to make.
+        turn(GL_COLOR_LOGIC_OP, m_logicOp, pass.logicInvert);
+        if (pass.logicInvert) gl.LogicOp(GL_INVERT);
+        turn(GL_ALPHA_TEST, m_alphaTest, pass.alphaTest.enabled);
+        if (pass.alphaTest.enabled) gl.AlphaFunc(glEnum(pass.alphaTest.function), pass.alphaTest.reference);
         if (pass.blend.enabled) {
             gl.Enable(GL_BLEND);
             // The equation is an extension: a chip that only adds has no such call to make.
             if (pass.blend.equation != m_equation) gl.BlendEquation(glEnum(m_equation = pass.blend.equation));
             if (pass.blend.equation != BlendEquation::Min && pass.blend.equation != BlendEquation::Max)
                 gl.BlendFunc(glEnum(pass.blend.source), glEnum(pass.blend.destination));
+            const float c = pass.blend.constant;
+            if (isConstant(pass.blend.source) || isConstant(pass.blend.destination))
+                gl.BlendColor(c, c, c, c);
         } else {
             gl.Disable(GL_BLEND);
         }
@@ -358,6 +379,7 @@ class PassRunner {
     Programs m_programs;
     BlendEquation m_equation = BlendEquation::Add;
     unsigned m_stencilMask = ~0u;
+    bool m_logicOp = false, m_alphaTest = false;
     int m_blockers = 0;  ///< what hides the eye, as the light counted last
     CopiedTexture m_mask{}, m_frame{};
     GLuint m_framebuffer = 0;
@@ -366,8 +388,8 @@ class PassRunner {
 
 /// Back to OpenGL's defaults, past all decorators.
 void resetState(const GlTable& gl) {
-    for (const GLenum what :
-         {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D, GL_DEPTH_CLAMP})
+    for (const GLenum what : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D,
+                              GL_DEPTH_CLAMP, GL_ALPHA_TEST, GL_COLOR_LOGIC_OP})
         gl.Disable(what);
     gl.UseProgram(0);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -396,12 +418,21 @@ std::vector<bool> stencilledShadows(const Image& stencil, int reference) {
     return shadow;
 }
 
+/// Values that pass @p test are shadows.
+std::vector<bool> testedShadows(const Image& image, int channel, const AlphaTest& test) {
+    std::vector<bool> shadow(std::size_t(image.width) * image.height);
+    for (std::size_t i = 0; i < shadow.size(); ++i)
+        shadow[i] = passes(test.function, image.data[i * image.channels + channel], test.reference * 255);
+    return shadow;
+}
+
 /// The mask as it went over the scene: its texture over the whole window, by itself. The window's colours
 /// wait in another texture meanwhile.
-std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, PassRunner& runner) {
+std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, const MaskTap& tap,
+                                  PassRunner& runner) {
     const GlTable& gl = surface.driver();
+    runner.defaultState();
     resetState(gl);
-    runner.forgetState();
     gl.Viewport(0, 0, plan.width, plan.height);
     CopiedTexture kept;
     gl.GenTextures(1, &kept.name);
@@ -414,8 +445,10 @@ std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, PassRunner
     const bool inAlpha = std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::Copy && pass.texture == MaskTexture::Alpha;
     });
-    auto shadow = inAlpha ? belowThreshold(readColour(surface, true), 3, plan.threshold)
-                          : belowThreshold(readColour(surface), 0, plan.threshold);
+    const Image mask = readColour(surface, inAlpha);
+    const int channel = inAlpha ? 3 : 0;
+    auto shadow = tap.alphaTest.enabled ? testedShadows(mask, channel, tap.alphaTest)
+                                        : belowThreshold(mask, channel, plan.threshold);
     fillWith(gl, kept);
     gl.DeleteTextures(1, &kept.name);
     return shadow;
@@ -433,7 +466,7 @@ std::vector<bool> readMask(Surface& surface, const Plan& plan, const MaskTap& ta
         case MaskPlace::Counter:
             return countedShadows(readColour(surface));
         case MaskPlace::Texture:
-            return readMaskTexture(surface, plan, runner);
+            return readMaskTexture(surface, plan, tap, runner);
         case MaskPlace::None:
             break;
     }

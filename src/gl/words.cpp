@@ -75,6 +75,10 @@ std::string enumName(GLenum value) {
             return "GL_DEPTH_TEST";
         case GL_STENCIL_TEST:
             return "GL_STENCIL_TEST";
+        case GL_ALPHA_TEST:
+            return "GL_ALPHA_TEST";
+        case GL_COLOR_LOGIC_OP:
+            return "GL_COLOR_LOGIC_OP";
         case GL_STENCIL_BUFFER_BIT:
             return "GL_STENCIL_BUFFER_BIT";
         case GL_DEPTH_BUFFER_BIT:

@@ -85,6 +85,24 @@ std::vector<bool> limitedMask(const CauseInputs& in, int range) {
     return shadow;
 }
 
+/// Which pixels a count of limited range calls a shadow, after all entries and then all exits.
+std::vector<bool> countMask(const CauseInputs& in) {
+    const bool behind = in.axes.count == Count::Zfail;
+    FaceCounter counter(in.view, in.surfaces, in.depthBits);
+    std::vector<int> entries(std::size_t(in.view.width) * in.view.height), exits(entries.size());
+    for (std::size_t v = 0; v < in.volumes.size(); ++v) {
+        const FaceCounts faces = counter.count(in.volumes, v, behind);
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            entries[i] += behind ? faces.backs[i] : faces.fronts[i];
+            exits[i] += behind ? faces.fronts[i] : faces.backs[i];
+        }
+    }
+    std::vector<bool> shadow(entries.size());
+    for (std::size_t i = 0; i < shadow.size(); ++i)
+        shadow[i] = countsAsShadow(entries[i], exits[i], in.range);
+    return shadow;
+}
+
 /// Which pixels a bit calls a shadow that each face inverts: one bit for each volume in a stencil, one for
 /// all of them in a colour.
 std::vector<bool> parityMask(const CauseInputs& in) {
@@ -99,6 +117,23 @@ std::vector<bool> parityMask(const CauseInputs& in) {
         }
     }
     return shadow;
+}
+
+/// What a mask of limited range does at its limit.
+std::string limitOf(const CauseInputs& in) {
+    const bool stencil = in.axes.store == Store::Stencil;
+    switch (in.axes.arithmetic) {
+        case Arithmetic::Count:
+            if (in.range.wraps) return stencil ? "stencil wraps" : "mask wraps";
+            return stencil ? "stencil saturates" : "mask clamps";
+        case Arithmetic::Double:
+            return "mask clamps";
+        case Arithmetic::Halve:
+            return "mask underflows";
+        case Arithmetic::Parity:
+            return "parity of overlapping volumes";
+    }
+    return {};
 }
 
 }  // namespace
@@ -129,17 +164,19 @@ std::map<std::string, int> causesOf(const CauseInputs& in) {
         each([&](std::size_t) { return std::string("eye on a face of a volume"); });
         return causes;
     }
-    if (in.axes.arithmetic == Arithmetic::Count) {
+    const bool counts = in.axes.arithmetic == Arithmetic::Count;
+    // The others start somewhere else, or never overflow.
+    const bool fromStart = in.axes.count <= Count::Zfail && in.axes.start != Start::Bias;
+    if (counts && (in.axes.store == Store::Counter || !fromStart)) {
         each([&](std::size_t) { return rest; });
         return causes;
     }
     const bool doubles = in.axes.arithmetic == Arithmetic::Double;
     const bool parity = in.axes.arithmetic == Arithmetic::Parity;
-    const std::vector<bool> mask =
-        parity ? parityMask(in) : limitedMask(in, doubles ? in.axes.levels : in.maskBits);
-    const std::string limit = parity    ? "parity of overlapping volumes"
-                              : doubles ? "mask clamps"
-                                        : "mask underflows";
+    const std::vector<bool> mask = counts   ? countMask(in)
+                                   : parity ? parityMask(in)
+                                            : limitedMask(in, doubles ? in.axes.levels : in.maskBits);
+    const std::string limit = limitOf(in);
     each([&](std::size_t i) { return mask[i] != in.truth.blocked[i] ? limit : rest; });
     return causes;
 }

@@ -5,7 +5,7 @@
 
 #include "gl/renderer.h"
 #include "matrix/judge.h"
-#include "method/method.h"
+#include "method/count_step.h"
 
 namespace gnomon {
 
@@ -20,15 +20,16 @@ struct CauseInputs {
     bool eyeInVolume = false;     ///< a volume touches the near rectangle
     bool eyeOnFace = false;       ///< the eye lies exactly on a face of a volume
     int depthBits = 24;
-    int maskBits = 8;  ///< per channel of the mask
+    int maskBits = 8;    ///< per channel of the mask
+    CountRange range{};  ///< of a count in stencil, colour or alpha
 };
 
 /// Why the wrong pixels of one light's mask are wrong, as far as that can be told without a predictor; the
 /// counts add up to the wrong pixels.
 ///
-/// "mask clamps", "mask underflows" and "parity of overlapping volumes" are shown, not guessed: the faces of
-/// each volume are counted one by one, and the arithmetic with its limits, run over the counts, is wrong in
-/// the same pixels.
+/// "mask clamps", "mask wraps", "mask underflows" (of a stencil: "stencil saturates", "stencil wraps") and
+/// "parity of overlapping volumes" are shown, not guessed: the faces of each volume are counted one by one,
+/// and the arithmetic with its limits, run over the counts, is wrong in the same pixels.
 std::map<std::string, int> causesOf(const CauseInputs& in);
 
 }  // namespace gnomon

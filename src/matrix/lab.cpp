@@ -370,7 +370,8 @@ struct Lab::Impl {
                  onVolumeFace(scene, litOf(index, Silhouette::Winding), light(index).position, view().eye),
              .depthBits = format.depth,
              .maskBits = axes.store == Store::Alpha ? format.alpha
-                                                    : std::min({format.red, format.green, format.blue})});
+                                                    : std::min({format.red, format.green, format.blue}),
+             .range = countRange(axes, profile)});
         for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
-#include <cmath>
+
+#include "method/count_step.h"
 
 namespace gnomon {
 
@@ -118,9 +120,7 @@ void PlanBuilder::tap(int light, MaskPlace place) {
 void PlanBuilder::countInStencil(int light) {
     if (axes.arithmetic == Arithmetic::Parity) return countParity(light);
     const bool zfail = axes.count == Count::Zfail;
-    const bool wrap =
-        axes.overflow == Overflow::Wrap ||
-        (axes.overflow == Overflow::Either && (m_profile.stencilWrap || axes.count == Count::AtomicZp));
+    const bool wrap = countWraps(axes, m_profile);
     const StencilOp incr = wrap ? StencilOp::IncrWrap : StencilOp::Incr,
                     decr = wrap ? StencilOp::DecrWrap : StencilOp::Decr;
     const auto side = [&](StencilOp op) {
@@ -251,128 +251,8 @@ void PlanBuilder::countInCounter(int light) {
     tap(light, MaskPlace::Counter);
 }
 
-/// Roettger et al. 2002, section 4.2: front faces of a volume, then its back faces, volume by volume.
-void PlanBuilder::countByBlending(int light, ColourWrite write) {
-    const bool halves = axes.arithmetic == Arithmetic::Halve;
-    const int volumes = m_frame.lights[std::size_t(light)].volumes;
-    const Parts open = Part::Sides | Part::FarCap;
-    const Parts parts = axes.count == Count::ZpassCap ? open | Part::NearCap : open;
-    if (axes.arithmetic == Arithmetic::Parity && axes.count == Count::Zfail) {
-        for (const auto& [group, function] :
-             {std::pair(open, Compare::Greater), std::pair(Parts(Part::LightCap), Compare::Gequal)}) {
-            if (volumes == 0) break;
-            Pass& p = volume(light, kAllVolumes, Faces::Both, group, function, "invert behind the surface");
-            p.blend = blending(OneMinusDstColor, Zero);
-            p.write = write;
-        }
-        return;
-    }
-    if (axes.arithmetic == Arithmetic::Parity) {
-        if (volumes == 0) return;
-        Pass& p = volume(light, kAllVolumes, Faces::Both, parts, Compare::Lequal, "invert");
-        p.blend = blending(OneMinusDstColor, Zero);
-        p.write = write;
-        return;
-    }
-    for (int i = 0; i < volumes; ++i) {
-        if (axes.count == Count::Zfail) {
-            countZfailByBlending(light, i, write);
-            continue;
-        }
-        for (const Faces faces : {Faces::Front, Faces::Back}) {
-            const bool doubles = (faces == Faces::Front) != halves;
-            Pass& p = volume(light, i, faces, parts, Compare::Lequal, doubles ? "double" : "halve");
-            p.blend = doubles ? blending(DstColor, One) : blending(DstColor, Zero);
-            p.colour = glm::vec4(doubles ? 1.0f : kHalf);
-            p.write = write;
-        }
-    }
-}
-
-/// Faces behind the surface, counted from infinity: back faces go in, front faces out. A chip that passes no
-/// farther fragments counts all and takes the nearer ones back (hardware.md, section 1).
-void PlanBuilder::countZfailByBlending(int light, int index, ColourWrite write) {
-    const bool halves = axes.arithmetic == Arithmetic::Halve;
-    const bool farther = m_profile.depthFunctions.contains(Compare::Greater) &&
-                         m_profile.depthFunctions.contains(Compare::Gequal);
-    const bool nearerOnly = !farther && m_profile.depthFunctions.contains(Compare::Always);
-    const auto pass = [&](Faces faces, Parts parts, Compare function, bool enters, const std::string& which) {
-        const bool doubles = enters != halves;
-        Pass& p = volume(light, index, faces, parts, function, (doubles ? "double" : "halve") + which);
-        p.blend = doubles ? blending(DstColor, One) : blending(DstColor, Zero);
-        p.colour = glm::vec4(doubles ? 1.0f : kHalf);
-        p.write = write;
-    };
-    const Parts open = Part::Sides | Part::FarCap;
-    for (const Faces faces : {Faces::Back, Faces::Front}) {
-        const bool enters = faces == Faces::Back;
-        for (const bool cap : {false, true}) {
-            const Parts parts = cap ? Parts(Part::LightCap) : open;
-            if (nearerOnly) {
-                pass(faces, parts, Compare::Always, enters, ", all");
-                pass(faces, parts, cap ? Compare::Less : Compare::Lequal, !enters, " back what is nearer");
-            } else {
-                pass(faces, parts, cap ? Compare::Gequal : Compare::Greater, enters, " behind the surface");
-            }
-        }
-    }
-}
-
-void PlanBuilder::normalise(int light, ColourWrite write) {
-    const auto rect = [&](const std::string& label, const Blend& how, float value) {
-        rectangle(label, how, value, write).target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
-    };
-    const bool attenuated = axes.shade == Shade::Attenuated;
-    if (axes.arithmetic == Arithmetic::Parity) {
-        // Lit is 1 and a shadow 0 as it stands.
-        if (attenuated) {
-            rect("halve: lit to 1/2", blending(DstColor, Zero), kHalf);
-            rect("add 1/2: lit to 1, shadows to 1/2", blending(One, One), kHalf);
-        }
-    } else if (axes.arithmetic == Arithmetic::Halve && attenuated) {
-        rect("raise shadows to 1/2", {.enabled = true, .equation = BlendEquation::Max}, kHalf);
-    } else {
-        // From 2^-levels to 1/2 for a lit pixel; halving started at 1 and leaves shadows at 1/2 or below,
-        // so that inverting comes first there.
-        const bool halve = axes.arithmetic == Arithmetic::Halve;
-        if (!halve)
-            for (int i = 1; i < axes.levels; ++i)
-                rect("double: lit to 1/2, shadows clamp at 1", blending(DstColor, One), 1);
-        if (halve) {
-            rect("invert: lit to 0, shadows to 1/2 or more", blending(OneMinusDstColor, Zero), 1);
-            rect("double: shadows to 1", blending(DstColor, One), 1);
-        }
-        rect("invert: shadows to 0", blending(OneMinusDstColor, Zero), 1);
-        if (!halve && attenuated) rect("add 1/2: lit to 1, shadows to 1/2", blending(One, One), kHalf);
-        if (!halve && !attenuated) rect("double: lit to 1", blending(DstColor, One), 1);
-    }
-    if (axes.apply != Apply::Texture) tap(light, write.alpha ? MaskPlace::Alpha : MaskPlace::Colour);
-    m_plan.smallestMaskBits = axes.arithmetic == Arithmetic::Double ? axes.levels : 1;
-}
-
-float PlanBuilder::maskStart() const {
-    return axes.arithmetic == Arithmetic::Double ? std::ldexp(1.0f, -axes.levels) : 1.0f;
-}
-
 int PlanBuilder::textureSide(int texels) const {
     return m_profile.textureNonPowerOfTwo ? texels : int(std::bit_ceil(unsigned(texels)));
-}
-
-void PlanBuilder::copyMask() {
-    const bool alpha = axes.store == Store::Alpha;
-    const bool multiplies = m_profile.allowsBlend(Zero, SrcColor);
-    m_texture = alpha ? MaskTexture::Alpha : multiplies ? MaskTexture::Rgb : MaskTexture::Intensity;
-    m_plan.textureWidth = textureSide(m_plan.maskWidth);
-    m_plan.textureHeight = textureSide(m_plan.maskHeight);
-    add(PassKind::Copy, fmt::format("mask of {}x{} to a texture of {}x{}", m_plan.maskWidth,
-                                    m_plan.maskHeight, m_plan.textureWidth, m_plan.textureHeight))
-        .texture = m_texture;
-}
-
-void PlanBuilder::applyTexture(int light) {
-    const Blend how = m_texture == MaskTexture::Rgb ? blending(Zero, SrcColor) : blending(Zero, SrcAlpha);
-    rectangle("mask texture times the scene", how, 1, kWriteColour).texture = m_texture;
-    tap(light, MaskPlace::Texture);
 }
 
 void PlanBuilder::keepFrame() {

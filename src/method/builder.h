@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "method/method.h"
@@ -44,12 +46,13 @@ class PlanBuilder {
     void maskFromDepthMap(int light, bool isFirst = true);
 
     /// Roettger et al. 2002, sections 4.3 and 4.4: the mask's values become one for a lit pixel and one for a
-    /// shadow.
+    /// shadow. Counts that an alpha test tells apart are left as they are.
     void normalise(int light, ColourWrite write);
 
     /// The stencil test that shadows pass.
     Stencil shadowTest() const;
-    /// Lit pixels start at 2^-levels to be doubled, at 1 to be halved or inverted.
+    /// Lit pixels start at 2^-levels to be doubled, at 1 to be halved or inverted, at 0 or the middle to be
+    /// counted.
     float maskStart() const;
 
     void copyMask();
@@ -63,7 +66,22 @@ class PlanBuilder {
     Pass& add(PassKind kind, std::string label);
     Pass& volume(int light, int index, Faces faces, Parts parts, Compare function, const std::string& what);
     void countParity(int light);
+    void countByInversion(int light, ColourWrite write);
+    void countBySteps(int light, ColourWrite write);
+    glm::vec4 countColour(bool up) const;
+    const ColourFormat& format() const;
     void countZfailByBlending(int light, int index, ColourWrite write);
+    /// Draws a rectangle over the mask: a label, how it blends, its grey.
+    using MaskRectangle = std::function<void(const std::string&, const Blend&, float)>;
+    void normaliseCount(const MaskRectangle& rect, ColourWrite write);
+
+    /// The chip passes all fragments or the nearer ones, but no farther ones.
+    bool passesNearerOnly() const;
+    /// How a texture of counts darkens the scene where its alpha test passes; nothing if the chip can't.
+    std::optional<Blend> shadowBlend() const;
+    /// The alpha test that a shadow in a texture of counts passes; off where the mask is normalised instead.
+    AlphaTest shadowAlpha() const;
+
     void tap(int light, MaskPlace place);
     int textureSide(int texels) const;
 

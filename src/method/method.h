@@ -31,8 +31,8 @@ struct Axes {
     Shade shade = Shade::Attenuated;
 
     // Options of some points.
-    Start start = Start::Zero;  ///< Count in a stencil: 0, its middle, or the volumes that hold the eye
-    Overflow overflow = Overflow::Either;  ///< Count in a stencil
+    Start start = Start::Zero;  ///< Count: 0, the middle, or (a stencil) the volumes that hold the eye
+    Overflow overflow = Overflow::Either;  ///< Count in a stencil, colour or alpha
     CapFaces capFaces = CapFaces::Lit;
     Clip clip = Clip::Frustum;
     float offset = 0;   ///< Zfail: volumes start this far behind their caster, world units
@@ -97,9 +97,9 @@ CutStyle cutStyleOf(const Axes& axes, bool depthClamp);
 /// The plan of one frame.
 /// @pre !contradiction(axes)
 ///
-/// The profile decides only between ways that give the same values: two-sided or two passes, wrapping or
-/// saturating stencil, the factor with which a mask texture is applied. What the chip can't do is left in the
-/// plan; ask missing().
+/// The profile decides only between ways that give the same values: two-sided or two passes, counts that wrap
+/// or saturate (count_step.h), inversion by logic operation or by blending, how a mask texture is applied.
+/// What the chip can't do is left in the plan; ask missing().
 Plan planFrame(const Axes& axes, const FrameShape& frame, const Profile& profile);
 
 /// Axes without what means nothing to their store: levels of anything but Double, all but the shade of none.

@@ -78,6 +78,12 @@ const std::vector<NamedMethod>& namedMethods() {
                     .maskDivisor = divisor,
                     .apply = Apply::Texture};
     };
+    const auto counted = [](Store store) {
+        return Axes{.store = store,
+                    .arithmetic = Arithmetic::Count,
+                    .count = gnomon::Count::ZpassCap,
+                    .apply = Apply::Texture};
+    };
     static const std::vector<NamedMethod> methods{
         row("none", {.store = None}, "-", "the unshadowed frame"),
         row("heidmann", stencil(gnomon::Count::Zpass), "Heidmann 1991, Real Shadows Real Time",
@@ -121,6 +127,13 @@ const std::vector<NamedMethod>& namedMethods() {
             "Usta et al. 2019, section 4", "16 bits of the colour buffer count the faces behind the surface"),
         row("williams", {.store = DepthMap}, "Williams 1978; Kolivand and Sunar 2011, section 4",
             "the scene's depth from the light, compared at each pixel"),
+        // What games did; the sources are hardware.md's.
+        row("screen-count", counted(Screen), "PCSX2 issues 1920, 380: Crash Tag Team Racing, Castlevania",
+            "the colour buffer counts by steps that wrap or clamp; an alpha test tells them apart"),
+        row("alpha-count", counted(Alpha), "DOLPHIN PR 11406: Super Mario Galaxy",
+            "destination alpha counts by steps that wrap or clamp; an alpha test tells them apart"),
+        row("screen-parity", blended(Screen, Parity), "DOLPHIN PR 10841, 10864: F-Zero GX",
+            "faces in front of the surface invert the colour buffer"),
     };
     return methods;
 }
@@ -217,14 +230,15 @@ std::optional<std::string> stencilContradiction(const Axes& axes) {
 }
 
 std::optional<std::string> blendContradiction(const Axes& axes) {
-    if (axes.arithmetic == Arithmetic::Count)
-        return fmt::format("counting in the {} buffer: double, halve or parity", name(axes.store));
     if (int(axes.count) > int(gnomon::Count::Zfail))
-        return fmt::format("{} needs a count: a stencil or a counter", name(axes.count));
+        return fmt::format("{} needs a stencil or a counter", name(axes.count));
     if (axes.maskDivisor != 1 && axes.apply != Apply::Texture)
         return "a mask below scale 1 goes over the scene as a texture only";
     if (axes.arithmetic == Arithmetic::Double && (axes.levels < 1 || axes.levels > 8))
         return fmt::format("{} levels: 1 to 8", axes.levels);
+    if (axes.start == Start::Bias) return "a bias for the eye is of a stencil's count";
+    if (axes.start == Start::Middle && axes.overflow == Overflow::Wrap)
+        return "a count that wraps starts at zero: the middle is for one that saturates";
     return std::nullopt;
 }
 
@@ -245,8 +259,9 @@ std::optional<std::string> contradiction(const Axes& axes) {
                      : axes.store == Store::Counter ? counterContradiction(axes)
                                                     : blendContradiction(axes);
     if (own) return own;
-    if (axes.store != Store::Stencil && (axes.start != Start::Zero || axes.overflow != Overflow::Either))
-        return "start and overflow are a stencil's";
+    const bool overflows = axes.store != Store::Counter && axes.arithmetic == Arithmetic::Count;
+    if (!overflows && (axes.start != Start::Zero || axes.overflow != Overflow::Either))
+        return "start and overflow are of a count in a stencil, colour or alpha";
     if (axes.start == Start::Bias && axes.count != gnomon::Count::Zpass)
         return fmt::format("a bias for the eye is for zpass: {} needs none", name(axes.count));
     if (axes.count == gnomon::Count::AtomicZp &&

@@ -25,4 +25,26 @@ PassCounts countPasses(const Plan& plan) {
     return counts;
 }
 
+bool passes(Compare function, float value, float reference) {
+    switch (function) {
+        case Compare::Never:
+            return false;
+        case Compare::Less:
+            return value < reference;
+        case Compare::Equal:
+            return value == reference;
+        case Compare::Lequal:
+            return value <= reference;
+        case Compare::Greater:
+            return value > reference;
+        case Compare::Notequal:
+            return value != reference;
+        case Compare::Gequal:
+            return value >= reference;
+        case Compare::Always:
+            return true;
+    }
+    return true;
+}
+
 }  // namespace gnomon

@@ -33,9 +33,28 @@ std::string stencilState(const Stencil& s) {
     return fmt::format("{}front {} back {}", test, ops(s.front), ops(s.back));
 }
 
-}  // namespace
+bool isConstant(BlendFactor f) {
+    return f == BlendFactor::ConstantColor || f == BlendFactor::OneMinusConstantColor ||
+           f == BlendFactor::ConstantAlpha || f == BlendFactor::OneMinusConstantAlpha;
+}
 
-namespace {
+std::string blendState(const Blend& b) {
+    const bool extreme = b.equation == BlendEquation::Min || b.equation == BlendEquation::Max;
+    if (extreme) return "blend " + upper(name(b.equation));
+    const std::string equation =
+        b.equation == BlendEquation::Add ? "" : fmt::format("{} ", upper(name(b.equation)));
+    const bool constant = isConstant(b.source) || isConstant(b.destination);
+    return fmt::format("blend {}{} {}{}", equation, upper(name(b.source)), upper(name(b.destination)),
+                       constant ? fmt::format(", constant {:.3g}", b.constant) : "");
+}
+
+/// The colour that a draw writes, once where its channels agree.
+std::string sourceColour(const Pass& pass) {
+    const glm::vec4& c = pass.colour;
+    if (!pass.write.red) return fmt::format("alpha {:.3g}", c.a);
+    if (c.r == c.g && c.g == c.b) return fmt::format("colour {:.3g}", c.r);
+    return fmt::format("colour {:.3g} {:.3g} {:.3g}", c.r, c.g, c.b);
+}
 
 std::string describeClear(const Pass& pass) {
     std::vector<std::string> parts;
@@ -55,9 +74,10 @@ std::string describeClear(const Pass& pass) {
 }
 
 std::string describeCopy(const Pass& pass) {
-    return pass.texture == MaskTexture::Alpha       ? "alpha to ALPHA"
-           : pass.texture == MaskTexture::Intensity ? "colour to INTENSITY"
-                                                    : "colour to RGB";
+    const char* to = pass.texture == MaskTexture::Alpha       ? "alpha to ALPHA"
+                     : pass.texture == MaskTexture::Intensity ? "colour to INTENSITY"
+                                                              : "colour to RGB";
+    return fmt::format("{}{}", to, pass.nearest ? ", unfiltered" : "");
 }
 
 const char* describeTarget(const Pass& pass) {
@@ -79,23 +99,22 @@ std::string describeState(const Pass& pass) {
         add(fmt::format("depth {}{}", upper(name(pass.depthFunction)), pass.depthWrite ? " write" : ""));
     if (pass.depthClamp) add("depth clamp");
     if (pass.stencil.enabled) add(stencilState(pass.stencil));
-    if (pass.blend.enabled) {
-        if (pass.blend.equation == BlendEquation::Min || pass.blend.equation == BlendEquation::Max)
-            add("blend " + upper(name(pass.blend.equation)));
-        else
-            add(fmt::format("blend {} {}", upper(name(pass.blend.source)),
-                            upper(name(pass.blend.destination))));
-    }
+    if (pass.alphaTest.enabled)
+        add(fmt::format("alpha {} {:.3g}", upper(name(pass.alphaTest.function)), pass.alphaTest.reference));
+    if (pass.blend.enabled) add(blendState(pass.blend));
+    if (pass.logicInvert) add("logic op INVERT");
     if (pass.program == Program::CountFaces)
         add(fmt::format("program: 16 bits of RG, front {:+d} back {:+d}", pass.frontCount, -pass.frontCount));
     if (pass.program == Program::ShadeCount) add("program: by the 16 bits of RG");
     if (pass.drawn == Drawn::Silhouettes) add("geometry shader with an atomic counter");
     if (pass.shading == Shading::Mask) add("depth map compared");
     if (pass.texture != MaskTexture::None) add(pass.frameTexture ? "frame texture" : "mask texture");
-    if (pass.write.any() && pass.kind != PassKind::Scene && pass.texture == MaskTexture::None &&
-        pass.program == Program::None)
-        add(pass.write.red ? fmt::format("colour {:.3g}", pass.colour.r)
-                           : fmt::format("alpha {:.3g}", pass.colour.a));
+    // A texture of alpha leaves the colour to the draw.
+    const bool colours =
+        pass.texture == MaskTexture::None || (pass.texture == MaskTexture::Alpha && pass.alphaTest.enabled);
+    if (pass.write.any() && pass.kind != PassKind::Scene && colours && pass.program == Program::None &&
+        !pass.logicInvert)
+        add(sourceColour(pass));
     add("write " + channels(pass.write));
     return fmt::format("{}", fmt::join(parts, ", "));
 }

@@ -149,7 +149,9 @@ void needPass(Wants& wants, const Profile& p, const Pass& pass) {
                "write_mask", "a write mask for colour and alpha apart");
 
     // Destination alpha, and depth beside it.
-    const bool blends = pass.kind != PassKind::Clear && pass.blend.enabled && w.any();
+    const bool draws = pass.kind != PassKind::Clear;
+    const bool inverts = draws && pass.logicInvert && w.any();
+    const bool blends = draws && pass.blend.enabled && !inverts && w.any();
     const bool readsAlpha =
         blends && pass.blend.equation != BlendEquation::Min && pass.blend.equation != BlendEquation::Max &&
         (readsDestinationAlpha(pass.blend.source) || readsDestinationAlpha(pass.blend.destination));
@@ -159,6 +161,13 @@ void needPass(Wants& wants, const Profile& p, const Pass& pass) {
         // anywhere.
         wants.need(!p.alphaExcludesDepth, "alpha_excludes_depth", "destination alpha beside depth");
     }
+    if (draws && pass.alphaTest.enabled)
+        wants.need(p.alphaFunctions.contains(pass.alphaTest.function), "alpha_functions",
+                   fmt::format("alpha test {}", name(pass.alphaTest.function)));
+    wants.need(!inverts || p.logicOps, "logic_ops", "logic operations");
+    // What keeps the blender from alpha keeps the logic operation: PSP's alpha is its stencil.
+    if (inverts && w.alpha && p.alphaBits > 0)
+        wants.need(p.blendWritesAlpha, "blend_writes_alpha", "blending of destination alpha");
     if (!blends) return;
 
     wants.need(p.blendEquations.contains(pass.blend.equation), "blend_equations",

@@ -69,7 +69,16 @@ struct Blend {
     bool enabled = false;
     BlendFactor source = BlendFactor::One, destination = BlendFactor::Zero;
     BlendEquation equation = BlendEquation::Add;
+    float constant = 0;  ///< of the factors that are a constant; grey, 0..1
     bool operator==(const Blend&) const = default;
+};
+
+/// The alpha test of one pass; off by default. A fragment whose alpha fails it changes nothing.
+struct AlphaTest {
+    bool enabled = false;
+    Compare function = Compare::Always;
+    float reference = 0;  ///< 0..1
+    bool operator==(const AlphaTest&) const = default;
 };
 
 /// The stencil operations for one side of faces. A fragment that fails the stencil test changes nothing.
@@ -127,9 +136,12 @@ struct Pass {
     bool depthClamp = false;  ///< what lies before the near plane is drawn at depth 0
     ColourWrite write = kWriteColour;
     Blend blend{};
+    bool logicInvert = false;  ///< written channels are inverted by a logic operation, instead of blending
+    AlphaTest alphaTest{};
     Stencil stencil{};
     MaskTexture texture =
         MaskTexture::None;      ///< Copy: the format to copy into; Rectangle: the mask is mapped onto it
+    bool nearest = false;       ///< Copy: the texture is not filtered when it is sampled
     bool frameTexture = false;  ///< Copy, Rectangle: the frame so far instead of the mask
     Target target = Target::Window;
     int mapFace = 0;  ///< Target::DepthMap: 0 for a directional light, 0 to 5 for a point light
@@ -145,7 +157,8 @@ struct MaskTap {
     std::size_t after = 0;  ///< this many passes
     int light = 0;
     MaskPlace place = MaskPlace::None;
-    Stencil test{};  ///< Stencil: the test that a shadow passes
+    Stencil test{};         ///< Stencil: the test that a shadow passes
+    AlphaTest alphaTest{};  ///< Texture of counts: the same; off where the threshold tells
 };
 
 /// The list of passes that draw one frame with one method, and what is needed to judge it. A value: nothing
@@ -197,5 +210,8 @@ std::int64_t frameBytes(const Profile& profile, int width, int height);
 
 /// One line in OpenGL's terms: "depth LEQUAL, blend DST_COLOR ONE, colour 1 1 1, write RGB".
 std::string describeState(const Pass& pass);
+
+/// Whether @p value passes a test of @p function against @p reference.
+bool passes(Compare function, float value, float reference);
 
 }  // namespace gnomon

@@ -74,6 +74,15 @@ std::string kindName(PassKind kind) {
 /// Volume passes beyond these are folded in the text: a level has thousands.
 constexpr std::size_t kShownVolumes = 8;
 
+std::string counted(int number, const char* one, const char* many) {
+    return fmt::format("{} {}", number, number == 1 ? one : many);
+}
+
+/// Of pass @p i, in the chip's own terms.
+std::string termsOf(const PlanSheet& sheet, std::size_t i) {
+    return i < sheet.chipTerms.size() ? sheet.chipTerms[i] : "";
+}
+
 std::string planText(const PlanSheet& sheet) {
     const Plan& plan = sheet.plan;
     std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
@@ -85,6 +94,8 @@ std::string planText(const PlanSheet& sheet) {
             continue;
         }
         rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass)});
+        if (const std::string terms = termsOf(sheet, i); !terms.empty())
+            rows.push_back({"", "", "", fmt::format("{}: {}", sheet.profile, terms)});
     }
     for (auto& row : rows)
         if (row[0] == "...")
@@ -93,8 +104,10 @@ std::string planText(const PlanSheet& sheet) {
                                    sheet.profile, sheet.scene, plan.width, plan.height, sheet.frame);
     text += alignColumns(rows);
     const PassCounts counts = countPasses(plan);
-    text += fmt::format("\n{} scene passes, {} volume passes, {} rectangles, {} copies\n", counts.scene,
-                        counts.volume, counts.rectangle, counts.copy);
+    text += fmt::format("\n{}, {}, {}, {}\n", counted(counts.scene, "scene pass", "scene passes"),
+                        counted(counts.volume, "volume pass", "volume passes"),
+                        counted(counts.rectangle, "rectangle", "rectangles"),
+                        counted(counts.copy, "copy", "copies"));
     for (const Missing& m : sheet.missing)
         text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
     return text;
@@ -103,9 +116,13 @@ std::string planText(const PlanSheet& sheet) {
 Json planJson(const PlanSheet& sheet) {
     const PassCounts counts = countPasses(sheet.plan);
     Json passes = Json::array();
-    for (const Pass& pass : sheet.plan.passes)
-        passes.push_back(
-            {{"kind", kindName(pass.kind)}, {"label", pass.label}, {"state", describeState(pass)}});
+    for (std::size_t i = 0; i < sheet.plan.passes.size(); ++i) {
+        const Pass& pass = sheet.plan.passes[i];
+        passes.push_back({{"kind", kindName(pass.kind)},
+                          {"label", pass.label},
+                          {"state", describeState(pass)},
+                          {"chip_terms", termsOf(sheet, i)}});
+    }
     Json lacks = Json::array();
     for (const Missing& m : sheet.missing)
         lacks.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
@@ -236,13 +253,13 @@ std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {
         return all.dump(2) + "\n";
     }
     if (format == Format::Csv) {
-        std::string text =
-            csvLine({"method", "shade", "profile", "scene", "frame", "pass", "draws", "what", "state"});
+        std::string text = csvLine(
+            {"method", "shade", "profile", "scene", "frame", "pass", "draws", "what", "state", "chip_terms"});
         for (const PlanSheet& s : sheets)
             for (std::size_t i = 0; i < s.plan.passes.size(); ++i)
                 text += csvLine({s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame),
                                  fmt::format("{}", i + 1), kindName(s.plan.passes[i].kind),
-                                 s.plan.passes[i].label, describeState(s.plan.passes[i])});
+                                 s.plan.passes[i].label, describeState(s.plan.passes[i]), termsOf(s, i)});
         return text;
     }
     std::string text;

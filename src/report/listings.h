@@ -32,9 +32,10 @@ struct PlanSheet {
     int frame = 0;
     Plan plan{};
     std::vector<Missing> missing{};
+    std::vector<std::string> chipTerms{};  ///< of each pass (chip_terms.h); "" where there are none
 };
 
-/// The passes of frames in OpenGL's terms, and what the chip lacks for them.
+/// The passes of frames in OpenGL's terms and the chip's own, and what the chip lacks for them.
 std::string showPlans(const std::vector<PlanSheet>& sheets, Format format);
 
 }  // namespace gnomon

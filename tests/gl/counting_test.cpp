@@ -24,16 +24,18 @@ const Profile& ideal() {
 /// One frame of a scene, drawn with any method.
 class Studio {
   public:
-    Studio(const Scene& scene, int width, int height)
-        : m_surface(bufferFormatOf(ideal()), width, height), m_frame(frameOf(scene, width, height)) {}
+    Studio(const Scene& scene, int width, int height, const Profile& profile = ideal())
+        : m_profile(profile),
+          m_surface(bufferFormatOf(profile), width, height),
+          m_frame(frameOf(scene, width, height)) {}
 
     Plan planOf(const Axes& axes, int holdingEye = 0) const {
         FrameShape shape = shapeOf(int(m_frame.volumes().size()), m_surface.width(), m_surface.height());
         shape.lights[0].holdingEye = holdingEye;
-        return planFrame(axes, shape, ideal());
+        return planFrame(axes, shape, m_profile);
     }
     Rendered draw(const Axes& axes, int holdingEye = 0) {
-        return render(m_surface, ideal(), planOf(axes, holdingEye), m_frame.surfaces, m_frame.lights());
+        return render(m_surface, m_profile, planOf(axes, holdingEye), m_frame.surfaces, m_frame.lights());
     }
     std::vector<bool> mask(const Axes& axes, int holdingEye = 0) {
         return draw(axes, holdingEye).masks.front();
@@ -41,6 +43,7 @@ class Studio {
     const FrameVolumes& volumes() const { return m_frame.volumes(); }
 
   private:
+    Profile m_profile;
     Surface m_surface;
     Frame m_frame;
 };
@@ -188,8 +191,8 @@ Scene stack(const std::vector<double>& sides) {
 constexpr int kWidth = 33, kHeight = 25;
 
 /// What the middle of the picture, at z = -0.8 on the floor, is with a method.
-bool isDarkInTheMiddle(const Scene& scene, const Axes& axes) {
-    Studio studio(scene, kWidth, kHeight);
+bool isDarkInTheMiddle(const Scene& scene, const Axes& axes, const Profile& profile = ideal()) {
+    Studio studio(scene, kWidth, kHeight, profile);
     return studio.mask(axes)[std::size_t(kHeight / 2) * kWidth + kWidth / 2];
 }
 
@@ -199,9 +202,9 @@ Scene deep(int count) {
 }
 
 /// 40 volumes hold the middle, and the way there leads into and out of 260 more.
-Scene deepOnTheWay() {
-    std::vector<double> sides(260, 0.4);
-    sides.resize(300, 3);
+Scene deepOnTheWay(std::size_t onTheWay = 260, std::size_t holding = 40) {
+    std::vector<double> sides(onTheWay, 0.4);
+    sides.resize(onTheWay + holding, 3);
     return stack(sides);
 }
 
@@ -229,6 +232,105 @@ TEST(DeepStacks, FoolAStencilThatSaturatesWhereExitsOutnumberWhatItKept) {
         EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), saturates)) << volumes;
     }
     EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(), saturates));
+}
+
+/// The counts in colour and alpha, however they meet the scene.
+std::vector<Axes> maskCounts(Overflow overflow) {
+    std::vector<Axes> all;
+    for (const char* id : {"screen-count", "alpha-count"})
+        for (const Apply apply : {Apply::Blend, Apply::Texture}) {
+            all.push_back(overflowing(id, overflow));
+            all.back().apply = apply;
+        }
+    return all;
+}
+
+TEST(DeepStacks, FoolAMaskOf8BitsThatClampsAsTheyFoolAStencil) {
+    for (const Axes& axes : maskCounts(Overflow::Saturate)) {
+        SCOPED_TRACE(describe(axes));
+        for (const int volumes : {1, 255, 256, 300}) EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), axes));
+        EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(), axes));
+        EXPECT_FALSE(isDarkInTheMiddle(stack(std::vector<double>(300, 0.4)), axes));
+    }
+}
+
+TEST(DeepStacks, FoolAMaskOf8BitsThatWrapsAtExactly256) {
+    if (!drawsSumsThatWrap()) GTEST_SKIP() << "nothing draws sums that wrap";
+    for (const Axes& axes : maskCounts(Overflow::Wrap)) {
+        SCOPED_TRACE(describe(axes));
+        for (const auto& [volumes, dark] : {std::pair(255, true), {256, false}, {257, true}})
+            EXPECT_EQ(isDarkInTheMiddle(deep(volumes), axes), dark) << volumes;
+        EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(), axes));
+    }
+}
+
+/// Colours of 5, 6 and 5 bits, and nothing else to count in.
+Profile fewBits() {
+    Profile p = shipped("ideal");
+    p.colourFormats = {{"565", 5, 6, 5, 0}};
+    p.alphaBits = p.stencilBits = 0;
+    p.depthBits = {16};
+    if (!drawsSumsThatWrap()) p.blendEquations.erase(BlendEquation::AddWrap);
+    return p;
+}
+
+// From the middle 15 are left, from 0 all 31.
+TEST(DeepStacks, FoolAMaskOf5BitsThatClampsBeyond31OnTheWay) {
+    const Profile p = fewBits();
+    for (const Apply apply : {Apply::Blend, Apply::Texture}) {
+        Axes axes = overflowing("screen-count", Overflow::Saturate);
+        axes.apply = apply;
+        SCOPED_TRACE(describe(axes));
+        for (const int volumes : {1, 31, 32, 40}) EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), axes, p));
+        EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(30, 5), axes, p));
+        EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(31, 5), axes, p));
+        axes.start = Start::Middle;
+        EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(14, 5), axes, p));
+        EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(15, 5), axes, p));
+        EXPECT_FALSE(isDarkInTheMiddle(deepOnTheWay(10, 0), axes, p));
+    }
+}
+
+TEST(DeepStacks, FoolAMaskOf5BitsThatWrapsAtExactly32) {
+    if (!drawsSumsThatWrap()) GTEST_SKIP() << "nothing draws sums that wrap";
+    const Profile p = fewBits();
+    const Axes wraps = overflowing("screen-count", Overflow::Wrap);
+    for (const auto& [volumes, dark] : {std::pair(31, true), {32, false}, {33, true}})
+        EXPECT_EQ(isDarkInTheMiddle(deep(volumes), wraps, p), dark) << volumes;
+    EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(60, 5), wraps, p));
+}
+
+// Filtering would make counts that no pixel had, and shadows of all of them.
+TEST(CountTexture, IsNotFilteredBetweenItsTexels) {
+    Studio studio(twoBoxes(), 96, 72);
+    for (const char* id : {"screen-count", "alpha-count"}) {
+        Axes axes = axesOf(id);
+        axes.maskDivisor = 2;
+        const auto mask = studio.mask(axes);
+        ASSERT_GT(shadows(mask), 150);
+        int split = 0;
+        for (std::size_t y = 0; y < 72; ++y)
+            for (std::size_t x = 0; x < 96; ++x)
+                split += mask[y * 96 + x] != mask[(y & ~1u) * 96 + (x & ~1u)];
+        EXPECT_EQ(split, 0) << id << ": pixels unlike the first of their texel";
+    }
+}
+
+// By logic operation or by blending: 255 - v and the inverse of its bits are the same in any number of bits.
+TEST(Inversion, IsTheSameByLogicOperationAndByBlending) {
+    for (const Profile& with : {ideal(), fewBits()})
+        for (const Store store : {Store::Screen, Store::Alpha}) {
+            if (store == Store::Alpha && with.alphaBits == 0) continue;
+            Axes axes = axesOf("screen-parity");
+            axes.store = store;
+            Profile without = with;
+            without.logicOps = false;
+            Studio logic(twoBoxes(), 96, 72, with), blending(twoBoxes(), 96, 72, without);
+            const Rendered a = logic.draw(axes), b = blending.draw(axes);
+            EXPECT_GT(shadows(a.masks.front()), 150);
+            EXPECT_EQ(a.masks, b.masks);
+            EXPECT_EQ(a.image, b.image);
+        }
 }
 
 TEST(DeepStacks, AreCountedRightIn16BitsFromBothEnds) {
@@ -287,7 +389,7 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
         };
         const Image stencil = imageOf("carmack");
         for (const char* id : {"roettger-screen", "roettger-screen-max", "screen-texture", "counter",
-                               "parity", "atomiczp", "roettger-alpha"}) {
+                               "parity", "atomiczp", "roettger-alpha", "screen-count", "alpha-count"}) {
             const Image other = imageOf(id);
             int largest = 0;
             for (std::size_t i = 0; i < other.data.size(); ++i)

@@ -124,6 +124,65 @@ INSTANTIATE_TEST_SUITE_P(Chips, EachChip,
                                          "voodoo3"),
                          [](const auto& test) { return test.param; });
 
+/// Chips that differ in what counts and parity in colour and alpha ask for.
+std::vector<Profile> madeChips() {
+    const Profile base = chip("geforce2mx");
+    Profile flipper = base, noConstant = base, stencilAlpha = base, addsOnly = base;
+    flipper.logicOps = true;
+    flipper.alphaFunctions = {Compare::Greater, Compare::Notequal};
+    noConstant.alphaFunctions = {Compare::Greater};
+    for (const BlendFactor f : {BlendFactor::ConstantAlpha, BlendFactor::ConstantColor})
+        noConstant.destinationFactors.erase(f);
+    stencilAlpha.logicOps = true;
+    stencilAlpha.blendWritesAlpha = false;
+    stencilAlpha.alphaFunctions = flipper.alphaFunctions;
+    addsOnly.blendEquations = {BlendEquation::Add};
+    addsOnly.alphaFunctions = {Compare::Less};
+    return {flipper, noConstant, stencilAlpha, addsOnly};
+}
+
+TEST(MadeChips, AreRefusedExactlyThePlansThatMissSomething) {
+    int chipIndex = 0, refused = 0;
+    for (const Profile& profile : madeChips()) {
+        Surface surface(bufferFormatOf(profile), kSide, kSide);
+        const Frame frame = frameOf(twoBoxes(), kSide, kSide);
+        for (Axes axes : allMethods())
+            for (const Overflow overflow : {Overflow::Either, Overflow::Saturate})
+                for (const Start start : {Start::Zero, Start::Middle}) {
+                    axes.overflow = overflow, axes.start = start;
+                    if (contradiction(axes)) continue;
+                    SCOPED_TRACE(testing::Message() << describe(axes) << " on chip " << chipIndex);
+                    const Plan plan = planFrame(axes, shapeOf(2, kSide, kSide), profile);
+                    refused += !missing(profile, plan).empty();
+                    expectForetold(surface, profile, plan, frame);
+                }
+        ++chipIndex;
+    }
+    EXPECT_GT(refused, 100);
+}
+
+// The planner asks for what the chip has: counts and parity run on the first in every way.
+TEST(MadeChips, RunCountsAndParityWhereTheyCan) {
+    const auto lacks = [](const Profile& profile, const char* id, Apply apply) {
+        Axes axes = findMethod(id)->axes;
+        axes.apply = apply;
+        return keysOf(missing(profile, planFrame(axes, shapeOf(2, kSide, kSide), profile)));
+    };
+    const std::vector<Profile> chips = madeChips();
+    for (const char* id : {"screen-count", "alpha-count", "screen-parity"})
+        for (const Apply apply : {Apply::Blend, Apply::Texture}) {
+            EXPECT_THAT(lacks(chips[0], id, apply), testing::IsEmpty()) << id;
+            EXPECT_THAT(lacks(chips[1], id, apply), testing::IsEmpty()) << id;
+        }
+    EXPECT_THAT(lacks(chips[2], "screen-count", Apply::Texture), testing::IsEmpty());
+    EXPECT_THAT(lacks(chips[2], "alpha-count", Apply::Texture), testing::ElementsAre("blend_writes_alpha"));
+    Axes parity = findMethod("screen-parity")->axes;
+    parity.store = Store::Alpha;
+    EXPECT_THAT(keysOf(missing(chips[2], planFrame(parity, shapeOf(2, kSide, kSide), chips[2]))),
+                testing::ElementsAre("blend_writes_alpha"));
+    EXPECT_THAT(lacks(chips[3], "screen-count", Apply::Texture), testing::ElementsAre("blend_equations"));
+}
+
 TEST(Ideal, RunsEveryMethodAtEverySize) {
     const Profile ideal = chip("ideal");
     for (const int side : {1, 321, 4096})

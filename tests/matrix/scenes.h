@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string>
 
+#include "gl/wraps.h"
 #include "matrix/run.h"
 #include "profile/profile.h"
 #include "scene/load.h"
@@ -16,7 +17,7 @@ inline Scene shippedScene(const std::string& id) {
 }
 
 inline Profile chip(const std::string& id) {
-    return loadProfile(kSource / "profiles" / (id + ".toml"));
+    return drawable(loadProfile(kSource / "profiles" / (id + ".toml")));
 }
 
 inline Axes method(const std::string& id) {

@@ -33,9 +33,11 @@ TEST(NamedMethods, HaveUniqueIdsSourcesAndSummaries) {
         EXPECT_TRUE(ids.insert(method.id).second) << method.id << " twice";
         EXPECT_THAT(method.source, Not(IsEmpty())) << method.id;
         EXPECT_THAT(method.summary, Not(IsEmpty())) << method.id;
-        // A paper by its year, or "gnomon" for what no paper has; parity is folklore.
+        // A paper by its year, or "gnomon" for what no paper has; parity is folklore. What games did, by an
+        // emulator's notes.
         if (method.id != "none" && method.id != "parity") {
-            EXPECT_THAT(method.source, ContainsRegex("[A-Z][a-z]+.* (19|20)[0-9][0-9]")) << method.id;
+            EXPECT_THAT(method.source, ContainsRegex("[A-Z][a-z]+.* (19|20)[0-9][0-9]|^[A-Z0-9]+ (issue|PR)"))
+                << method.id;
         }
     }
 }
@@ -43,10 +45,11 @@ TEST(NamedMethods, HaveUniqueIdsSourcesAndSummaries) {
 TEST(NamedMethods, AreThoseOfTheDesign) {
     std::vector<std::string> ids;
     for (const NamedMethod& method : namedMethods()) ids.push_back(method.id);
-    EXPECT_THAT(ids, ElementsAre("none", "heidmann", "carmack", "parity", "roettger-alpha",
-                                 "roettger-alpha-max", "roettger-screen", "roettger-screen-max",
-                                 "screen-texture", "roettger-half", "roettger-quarter", "alpha-zfail",
-                                 "screen-zfail", "hornus", "eisemann", "atomiczp", "counter", "williams"));
+    EXPECT_THAT(
+        ids, ElementsAre("none", "heidmann", "carmack", "parity", "roettger-alpha", "roettger-alpha-max",
+                         "roettger-screen", "roettger-screen-max", "screen-texture", "roettger-half",
+                         "roettger-quarter", "alpha-zfail", "screen-zfail", "hornus", "eisemann", "atomiczp",
+                         "counter", "williams", "screen-count", "alpha-count", "screen-parity"));
 }
 
 TEST(NamedMethods, DontContradictThemselves) {
@@ -134,9 +137,9 @@ TEST(MethodId, TellsApartAllMethodsThatDifferInMoreThanShade) {
                                 ++methods;
                                 ids.insert(methodId(axes));
                             }
-    // Stencil: 2 counts x 2 silhouettes. Each other store: (4 levels + halve) x 2 x 2 x (blend + texture at
-    // 3 scales).
-    EXPECT_EQ(methods, 4 + 2 * 5 * 4 * 4);
+    // Stencil: 2 counts x 2 silhouettes. Each other store: (4 levels + halve + count) x 2 x 2 x (blend +
+    // texture at 3 scales).
+    EXPECT_EQ(methods, 4 + 2 * 6 * 4 * 4);
     EXPECT_EQ(ids.size(), std::size_t(methods));
 }
 
@@ -205,7 +208,7 @@ TEST(Contradiction, IsCountingBeyondZpassAndZfailInAColour) {
     for (const Store store : {Store::Alpha, Store::Screen})
         for (const Count count : {Count::ZpPlus, Count::PlusPlusZp, Count::AtomicZp})
             EXPECT_THAT(objection({.store = store, .arithmetic = Arithmetic::Double, .count = count}),
-                        HasSubstr("needs a count"));
+                        HasSubstr("needs a stencil or a counter"));
 }
 
 TEST(Contradiction, IsACounterThatDoesAnythingButCount) {
@@ -231,12 +234,28 @@ TEST(Contradiction, IsParityThatStartsOrOverflows) {
     EXPECT_THAT(objection(axes), HasSubstr("one bit"));
 }
 
-TEST(Contradiction, IsAStartOrOverflowOutsideOfAStencil) {
+TEST(Contradiction, IsAStartOrOverflowOfWhatDoesNotCountOrNeverOverflows) {
     Axes axes = axesOf("roettger-screen");
     axes.start = Start::Middle;
-    EXPECT_THAT(objection(axes), HasSubstr("a stencil's"));
+    EXPECT_THAT(objection(axes), HasSubstr("of a count"));
+    axes = axesOf("screen-parity"), axes.overflow = Overflow::Saturate;
+    EXPECT_THAT(objection(axes), HasSubstr("of a count"));
     axes = axesOf("counter"), axes.overflow = Overflow::Wrap;
-    EXPECT_THAT(objection(axes), HasSubstr("a stencil's"));
+    EXPECT_THAT(objection(axes), HasSubstr("in a stencil, colour or alpha"));
+}
+
+TEST(Contradiction, IsACountInAColourThatWrapsFromTheMiddleOrStartsAtABias) {
+    for (const char* id : {"screen-count", "alpha-count"}) {
+        Axes axes = axesOf(id);
+        for (const Overflow overflow : {Overflow::Either, Overflow::Wrap, Overflow::Saturate}) {
+            axes.overflow = overflow, axes.start = Start::Zero;
+            EXPECT_EQ(objection(axes), "") << name(overflow);
+            axes.start = Start::Middle;
+            EXPECT_EQ(objection(axes).empty(), overflow != Overflow::Wrap) << name(overflow);
+        }
+        axes.start = Start::Bias;
+        EXPECT_THAT(objection(axes), HasSubstr("stencil's"));
+    }
 }
 
 TEST(Contradiction, IsABiasForTheEyeWhereTheCountNeedsNone) {
@@ -314,9 +333,11 @@ TEST(Contradiction, IsAStencilThatDoublesOrHalves) {
                 HasSubstr("only count"));
 }
 
-TEST(Contradiction, IsCountingInAColourBuffer) {
-    EXPECT_THAT(objection({.store = Store::Alpha}), HasSubstr("double, halve or parity"));
-    EXPECT_THAT(objection({.store = Store::Screen}), HasSubstr("double, halve or parity"));
+TEST(Contradiction, IsNotCountingInAColourBuffer) {
+    for (const Store store : {Store::Alpha, Store::Screen})
+        for (const Apply apply : {Apply::Blend, Apply::Texture})
+            for (const Count count : {Count::Zpass, Count::ZpassCap, Count::Zfail})
+                EXPECT_EQ(objection({.store = store, .count = count, .apply = apply}), "");
 }
 
 TEST(Contradiction, IsAStencilAsATexture) {

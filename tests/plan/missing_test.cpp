@@ -247,6 +247,33 @@ TEST(Missing, WantsAMaskPerGroupForColourWithoutAlpha) {
     EXPECT_THAT(lacks(p, planOf({.kind = PassKind::Clear, .write = kWriteNothing})), IsEmpty());
 }
 
+TEST(Missing, WantsTheFunctionOfAnAlphaTestThatIsOn) {
+    Profile p = able();
+    p.alphaFunctions = {Compare::Greater};
+    Pass pass{.kind = PassKind::Rectangle,
+              .alphaTest = {.enabled = true, .function = Compare::Notequal, .reference = 0}};
+    EXPECT_THAT(missing(p, planOf(pass)), ElementsAre(Field(&Missing::what, "alpha test notequal")));
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("alpha_functions"));
+    pass.alphaTest.function = Compare::Greater;
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
+    pass.alphaTest = {.enabled = false, .function = Compare::Less};
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
+}
+
+TEST(Missing, WantsLogicOperationsAndNoBlenderToInvert) {
+    Profile p = able();
+    p.blendEquations = {};
+    Pass pass = volumeWith(OneMinusDstColor, Zero);
+    pass.logicInvert = true;
+    EXPECT_THAT(missing(p, planOf(pass)), ElementsAre(Field(&Missing::what, "logic operations")));
+    p.logicOps = true;
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty()) << "a logic operation takes the place of blending";
+    pass.write = kWriteAlpha;
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
+    p.blendWritesAlpha = false;
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("blend_writes_alpha"));
+}
+
 TEST(Missing, WantsTheBlendEquation) {
     Profile p = able();
     p.blendEquations = {BlendEquation::Add};

@@ -27,6 +27,57 @@ TEST(DescribeState, SpeaksOfDepthBlendAndWritesInOpenGLsWords) {
     EXPECT_EQ(describeState(pass), "depth LEQUAL, blend DST_COLOR ONE, colour 1, write RGB");
 }
 
+TEST(DescribeState, NamesAnEquationThatIsNotASum) {
+    Pass pass{.kind = PassKind::Volume,
+              .colour = glm::vec4(8, 4, 8, 4) / 255.0f,
+              .blend = {.enabled = true, .source = BlendFactor::One, .destination = BlendFactor::One}};
+    pass.blend.equation = BlendEquation::ReverseSubtract;
+    EXPECT_EQ(describeState(pass), "blend REVERSE_SUBTRACT ONE ONE, colour 0.0314 0.0157 0.0314, write RGB");
+    pass.blend.equation = BlendEquation::AddWrap, pass.write = kWriteAlpha;
+    EXPECT_EQ(describeState(pass), "blend ADD_WRAP ONE ONE, alpha 0.0157, write A");
+}
+
+TEST(DescribeState, TellsTheConstantOfAFactorThatIsOne) {
+    Pass pass{.kind = PassKind::Scene,
+              .blend = {.enabled = true,
+                        .source = BlendFactor::Zero,
+                        .destination = BlendFactor::ConstantAlpha,
+                        .constant = 0.5f}};
+    EXPECT_EQ(describeState(pass), "blend ZERO CONSTANT_ALPHA, constant 0.5, write RGB");
+}
+
+TEST(DescribeState, NamesALogicOperationWithoutAColour) {
+    const Pass pass{.kind = PassKind::Volume, .logicInvert = true};
+    EXPECT_EQ(describeState(pass), "logic op INVERT, write RGB");
+}
+
+TEST(DescribeState, TellsAnAlphaTestAndTheColourUnderATextureOfAlpha) {
+    Pass pass{.kind = PassKind::Rectangle,
+              .colour = glm::vec4(0.5f),
+              .alphaTest = {.enabled = true, .function = Compare::Notequal, .reference = 0.376f},
+              .texture = MaskTexture::Intensity};
+    EXPECT_EQ(describeState(pass), "alpha NOTEQUAL 0.376, mask texture, write RGB");
+    pass.texture = MaskTexture::Alpha;
+    EXPECT_EQ(describeState(pass), "alpha NOTEQUAL 0.376, mask texture, colour 0.5, write RGB");
+}
+
+TEST(Passes, ComparesTheValueWithTheReference) {
+    using enum Compare;
+    const auto outcome = [](Compare function) {
+        std::string text;
+        for (const float value : {0.25f, 0.5f, 0.75f}) text += passes(function, value, 0.5f) ? 'y' : 'n';
+        return text;
+    };
+    EXPECT_EQ(outcome(Never), "nnn");
+    EXPECT_EQ(outcome(Less), "ynn");
+    EXPECT_EQ(outcome(Equal), "nyn");
+    EXPECT_EQ(outcome(Lequal), "yyn");
+    EXPECT_EQ(outcome(Greater), "nny");
+    EXPECT_EQ(outcome(Notequal), "yny");
+    EXPECT_EQ(outcome(Gequal), "nyy");
+    EXPECT_EQ(outcome(Always), "yyy");
+}
+
 TEST(DescribeState, TellsADepthWrite) {
     const Pass pass{.kind = PassKind::Scene, .depthTest = true, .depthWrite = true, .write = kWriteNothing};
     EXPECT_EQ(describeState(pass), "depth LESS write, write nothing");
@@ -138,6 +189,8 @@ TEST(DescribeState, TellsTheFormatOfACopy) {
     EXPECT_EQ(describeState({.kind = PassKind::Copy, .texture = MaskTexture::Intensity}),
               "colour to INTENSITY");
     EXPECT_EQ(describeState({.kind = PassKind::Copy, .texture = MaskTexture::Alpha}), "alpha to ALPHA");
+    EXPECT_EQ(describeState({.kind = PassKind::Copy, .texture = MaskTexture::Intensity, .nearest = true}),
+              "colour to INTENSITY, unfiltered");
 }
 
 TEST(DescribeState, SaysThatARectangleCarriesTheMasksTexture) {
