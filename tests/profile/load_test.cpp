@@ -218,6 +218,23 @@ TEST(LoadProfile, ReadsEveryKey) {
     EXPECT_EQ(profile.facts.size(), 33u /* one per line but the title */);
 }
 
+TEST(LoadProfile, ReadsWhatAChipDoesItsOwnWay) {
+    const Profile profile =
+        load(std::string(kMinimal) +
+             "depth_bits = [16]\ndepth_functions = [\"less\"]\ndepth_encodings = [\"voodoo_w\", \"linear\"]\n"
+             "alpha_functions = [\"gequal\", \"never\"]\nlogic_ops = true\nblend_pairs = [\"one one\"]\n"
+             "blend_equations = [\"add_wrap\"]\nblend_units = [\"rdp\", \"gs_wrap\"]\n"
+             "dither_modes = [\"gs_4x4\", \"virge_4x4\", \"psx_4x4\", \"rdp_magic\", \"rdp_bayer\", "
+             "\"ge_4x4\"]\n");
+    EXPECT_THAT(profile.depthEncodings, ElementsAre(DepthEncoding::VoodooW, DepthEncoding::Linear));
+    EXPECT_THAT(profile.alphaFunctions, ElementsAre(Compare::Never, Compare::Gequal));
+    EXPECT_TRUE(profile.logicOps);
+    EXPECT_THAT(profile.blendEquations, ElementsAre(BlendEquation::AddWrap));
+    EXPECT_THAT(profile.blendUnits, ElementsAre(BlendUnit::Rdp, BlendUnit::GsWrap));
+    EXPECT_THAT(profile.ditherModes, ElementsAre(DitherMode::Gs, DitherMode::Virge, DitherMode::Psx,
+                                                 DitherMode::RdpMagic, DitherMode::RdpBayer, DitherMode::Ge));
+}
+
 TEST(LoadProfile, AllowsProductOfSetsAndListedPairs) {
     const Profile profile = load(std::string(kMinimal) +
                                  "source_factors = [\"zero\", \"one\"]\n"
@@ -433,6 +450,12 @@ INSTANTIATE_TEST_SUITE_P(
               ":3: depth_functions needs depth_bits"},
         Fault{"UnitsWithoutDepth", "polygon_offset_units = true\n",
               ":3: polygon_offset_units needs depth_bits"},
+        Fault{"EncodingWithoutDepth", "depth_encodings = [\"n64\"]\n",
+              ":3: depth_encodings needs depth_bits"},
+        Fault{"FunctionsBesideSourcedAbsenceOfDepth",
+              "depth_functions = [\"less\"]\nsources = [\"M [document]: a\"]\n"
+              "depth_bits = { value = [], source = \"M\" }\n",
+              ":3: depth_functions needs depth_bits"},
         Fault{"SlopeWithoutDepth", "polygon_offset_factor = true\n",
               ":3: polygon_offset_factor needs depth_bits"},
         Fault{"WidthWithoutHeight", "max_width = 640\n", ":3: max_width needs max_height"},
