@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 namespace gnomon {
@@ -452,9 +453,10 @@ MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
     std::pair best{-2, -2};
     std::array<std::pair<int, int>, 2> bestOf{best, best};  // of 128, of 127
     std::vector<MaskChoice> equals;
+    std::map<int, std::vector<Steps>> cellsOfHalf;
     for (const int half : {128, 127}) {
         if (half == 127 && !usesHalfConstant(claim)) break;
-        const auto cells = stepsOf(claim, half);
+        const auto& cells = cellsOfHalf[half] = stepsOf(claim, half);
         for (const int start : starts) {
             const Limits limits = limitsOf(cells, claim, start);
             const auto valueOf = [&](std::size_t t) { return std::pair(limits.depth[t], limits.volumes[t]); };
@@ -475,7 +477,7 @@ MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
     // Of these the one whose normalisation leaves least.
     const auto residueOf = [&](const MaskChoice& choice) {
         MaskProof proof{.choice = choice, .depth = limit(best.first), .volumes = limit(best.second)};
-        measureResidue(stepsOf(claim, choice.half), claim, proof);
+        measureResidue(cellsOfHalf.at(choice.half), claim, proof);
         return proof.lightInShadow.value_or(0) + proof.darknessOutside.value_or(0);
     };
     MaskChoice choice = equals.front();
@@ -487,7 +489,7 @@ MaskProof bestProof(const MaskClaim& claim, const std::vector<int>& starts) {
                 choice = other;
             }
     }
-    MaskProof proof = complete(stepsOf(claim, choice.half), claim, choice, best.first, best.second);
+    MaskProof proof = complete(cellsOfHalf.at(choice.half), claim, choice, best.first, best.second);
     const auto& other = bestOf[choice.half == 128 ? 1 : 0];
     if (usesHalfConstant(claim) && other < best)
         proof.otherHalf = {{.depth = limit(other.first), .volumes = limit(other.second)}};

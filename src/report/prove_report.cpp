@@ -103,7 +103,7 @@ std::string reachOf(const MaskProof& proof) {
 /// Rows of one chip, store, arithmetic and means.
 using Rows = std::vector<const ProofRow*>;
 
-/// "right with up to 5 open in 5 bits, 6 in 6 bits": of units of one width the one that reaches least.
+/// "up to 5 open in 5 bits, up to 6 open in 6 bits": of units of one width the one that reaches least.
 std::string reachInWords(const Rows& rows) {
     std::map<int, const MaskProof*> worst;
     const auto reach = [](const MaskProof& p) {
