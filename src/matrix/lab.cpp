@@ -358,6 +358,8 @@ struct Lab::Impl {
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
         const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
                                       : std::shared_ptr<const FrameVolumes>();
+        const Plan plan = planOf(profile, axes);
+        const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
         const auto causes = causesOf(
             {.judgement = judgement,
              .truth = truth,
@@ -371,7 +373,7 @@ struct Lab::Impl {
              .depthBits = format.depth,
              .maskBits = axes.store == Store::Alpha ? format.alpha
                                                     : std::min({format.red, format.green, format.blue}),
-             .range = countRange(axes, profile)});
+             .range = countRange(axes, profile, doubled)});
         for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };

@@ -75,8 +75,9 @@ const ColourFormat& PlanBuilder::format() const {
 
 glm::vec4 PlanBuilder::countColour(bool up) const {
     const bool wraps = countWraps(axes, m_profile);
+    const bool doubled = !shadowAlpha().enabled;
     const auto step = [&](int bits) {
-        const CountStep one = countStep(m_profile, std::max(bits, 1), wraps);
+        const CountStep one = countStep(m_profile, std::max(bits, 1), wraps, doubled);
         return float(up ? one.up : one.down) / 255;
     };
     const ColourFormat& f = format();
@@ -145,11 +146,14 @@ void PlanBuilder::normaliseCount(const MaskRectangle& rect, ColourWrite write) {
         rect("take the start away: lit to 0",
              {.enabled = true, .source = One, .destination = One, .equation = BlendEquation::ReverseSubtract},
              maskStart());
-    // From one code; of channels that differ the widest takes most steps.
+    const auto doublingsOf = [&](int bits) { return countDoublings(m_profile, bits); };
     const ColourFormat& f = format();
-    const int bits = write.alpha ? m_profile.alphaBits : std::max({f.red, f.green, f.blue});
-    for (int i = 0; i < bits; ++i)
-        rect(i + 1 < bits ? "double: lit stays 0" : "double: shadows are at 1", blending(DstColor, One), 1);
+    const int doublings = write.alpha
+                              ? doublingsOf(m_profile.alphaBits)
+                              : std::max({doublingsOf(f.red), doublingsOf(f.green), doublingsOf(f.blue)});
+    for (int i = 0; i < doublings; ++i)
+        rect(i + 1 < doublings ? "double: lit stays 0" : "double: shadows are at 1", blending(DstColor, One),
+             1);
     rect("invert: lit to 1, shadows to 0", blending(OneMinusDstColor, Zero), 1);
     if (axes.shade == Shade::Attenuated)
         rect("add 1/2: lit clamps at 1, shadows to 1/2", blending(One, One), kHalf);

@@ -202,7 +202,7 @@ Terms rdpBlend(const Pass& pass) {
 }
 
 Terms rdpTerms(const Pass& pass) {
-    if (pass.kind == PassKind::Copy || pass.logicInvert) return std::nullopt;
+    if (pass.kind == PassKind::Copy) return std::nullopt;
     std::vector<std::string> terms;
     if (pass.blend.enabled && pass.write.any()) {
         const Terms blend = rdpBlend(pass);
@@ -452,7 +452,17 @@ Terms fixedTerms(const Pass& pass, std::optional<std::string> (*blend)(const Pas
     return terms;
 }
 
+/// Whether there are words for all that @p pass asks of @p unit besides blending.
+bool hasWords(BlendUnit unit, const Pass& pass) {
+    const bool glide = unit == BlendUnit::VoodooMame || unit == BlendUnit::Voodoo86Box;
+    const bool gs = unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
+    const bool modern = unit == BlendUnit::Flipper || unit == BlendUnit::Ge;
+    return (!pass.logicInvert || modern) && (!pass.alphaTest.enabled || modern || gs || glide) &&
+           !pass.stencil.enabled && pass.program == Program::None;
+}
+
 Terms termsOf(const Pass& pass, const Profile& profile) {
+    if (!hasWords(profile.blendUnit(), pass)) return std::nullopt;
     switch (profile.blendUnit()) {
         case BlendUnit::Gs:
         case BlendUnit::GsWrap:

@@ -4,7 +4,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-
 #include "method/count_step.h"
 #include "plans.h"
 #include "profile/frame_channel.h"
@@ -37,7 +36,7 @@ TEST(CountStep, IsOneCodeUpAndDownForEveryCodeWhereItClamps) {
     for (const BlendUnit unit : {BlendUnit::IdealRound, BlendUnit::ProductsFloor, BlendUnit::Flipper,
                                  BlendUnit::Ge, BlendUnit::Nv2a})
         for (const int bits : {4, 5, 6, 8}) {
-            const CountStep step = countStep(chipOf(unit, bits), bits, false);
+            const CountStep step = countStep(chipOf(unit, bits), bits, false, false);
             EXPECT_EQ(step, (CountStep{1 << (8 - bits), 1 << (8 - bits), 1}));
             const FrameChannel channel{.unit = unit, .bits = bits};
             const int most = largestCode(bits);
@@ -52,10 +51,12 @@ TEST(CountStep, IsOneCodeUpAndDownForEveryCodeWhereItClamps) {
 
 // Castlevania and Crash Tag Team Racing: +8 and 0xFF, modulo 32 (hardware.md 2.5).
 TEST(CountStep, IsOneCodeModuloTheChannelOnAPlayStation2) {
-    EXPECT_EQ(countStep(chipOf(BlendUnit::Gs, 5), 5, true), (CountStep{8, 255, 1}));
-    EXPECT_EQ(countStep(chipOf(BlendUnit::Gs, 8), 8, true), (CountStep{1, 255, 1}));
+    for (const bool doubled : {false, true}) {
+        EXPECT_EQ(countStep(chipOf(BlendUnit::Gs, 5), 5, true, doubled), (CountStep{8, 255, 1}));
+        EXPECT_EQ(countStep(chipOf(BlendUnit::Gs, 8), 8, true, doubled), (CountStep{1, 255, 1}));
+    }
     for (const int bits : {5, 8}) {
-        const CountStep step = countStep(chipOf(BlendUnit::Gs, bits), bits, true);
+        const CountStep step = countStep(chipOf(BlendUnit::Gs, bits), bits, true, false);
         const FrameChannel channel{.unit = BlendUnit::GsWrap, .bits = bits};
         const int values = 1 << bits;
         for (int code = 0; code < values; ++code)
@@ -68,10 +69,10 @@ TEST(CountStep, IsOneCodeModuloTheChannelOnAPlayStation2) {
 }
 
 TEST(CountStep, IsTheSameModuloTheChannelUpAndDownOnAnN64) {
-    EXPECT_EQ(countStep(chipOf(BlendUnit::Rdp, 5), 5, true), (CountStep{17, 248, 2}));
-    EXPECT_EQ(countStep(chipOf(BlendUnit::Rdp, 8), 8, true), (CountStep{10, 255, 9}));
+    EXPECT_EQ(countStep(chipOf(BlendUnit::Rdp, 5), 5, true, false), (CountStep{17, 248, 2}));
+    EXPECT_EQ(countStep(chipOf(BlendUnit::Rdp, 8), 8, true, false), (CountStep{10, 255, 9}));
     for (const int bits : {5, 8}) {
-        const CountStep step = countStep(chipOf(BlendUnit::Rdp, bits), bits, true);
+        const CountStep step = countStep(chipOf(BlendUnit::Rdp, bits), bits, true, false);
         const FrameChannel channel{.unit = BlendUnit::Rdp, .bits = bits};
         const int values = 1 << bits;
         for (int code = 0; code < values; ++code) {
@@ -81,6 +82,42 @@ TEST(CountStep, IsTheSameModuloTheChannelUpAndDownOnAnN64) {
                       (code + values - step.codes) % values);
         }
     }
+}
+
+// hardware.md 4.1: 2v - 1 leaves one code at one.
+TEST(CountStep, IsTwoCodesOnAGameCubeWhereItIsDoubledLater) {
+    for (const int bits : {6, 8}) {
+        const Profile gamecube = chipOf(BlendUnit::Flipper, bits);
+        const CountStep step = countStep(gamecube, bits, false, true);
+        EXPECT_EQ(step, (CountStep{2 << (8 - bits), 2 << (8 - bits), 2}));
+        const FrameChannel channel{.unit = BlendUnit::Flipper, .bits = bits};
+        EXPECT_EQ(apply(channel, MaskOperation::Double, 1), 1);
+        for (int code = 0; code + 2 <= largestCode(bits); ++code) {
+            EXPECT_EQ(clampedStep(channel, step, true, code), code + 2);
+            EXPECT_EQ(clampedStep(channel, step, false, code + 2), code);
+        }
+    }
+    EXPECT_EQ(countStep(chipOf(BlendUnit::VoodooMame, 5), 5, false, true).codes, 1);
+}
+
+// By the chip's own arithmetic: lit pixels stay at 0, one volume and more are at the largest code.
+TEST(CountDoublings, TakeEveryCountButTheStartToTheLargestCode) {
+    for (const BlendUnit unit :
+         {BlendUnit::IdealRound, BlendUnit::ProductsFloor, BlendUnit::VoodooMame, BlendUnit::Voodoo86Box,
+          BlendUnit::Gs, BlendUnit::Flipper, BlendUnit::Ge, BlendUnit::Nv2a})
+        for (const int bits : {4, 5, 6, 8}) {
+            const Profile p = chipOf(unit, bits);
+            const int codes = countStep(p, bits, false, true).codes;
+            for (int code = 0; code <= largestCode(bits); code += codes) {
+                int doubled = code;
+                for (int i = 0; i < countDoublings(p, bits); ++i)
+                    doubled = apply({.unit = unit, .bits = bits}, MaskOperation::Double, doubled).value();
+                EXPECT_EQ(doubled, code == 0 ? 0 : largestCode(bits))
+                    << name(unit) << " " << bits << " bits, code " << code;
+            }
+        }
+    EXPECT_EQ(countDoublings(chipOf(BlendUnit::IdealRound, 8), 8), 8);
+    EXPECT_EQ(countDoublings(chipOf(BlendUnit::Nv2a, 5), 5), 6) << "248 is its 1 of 5 bits";
 }
 
 TEST(CountWraps, WhereTheChipCanUnlessAskedOrStartedOtherwise) {
@@ -100,28 +137,26 @@ TEST(CountWraps, WhereTheChipCanUnlessAskedOrStartedOtherwise) {
     EXPECT_TRUE(countWraps(asked, both));
 }
 
-TEST(CountRange, HasTheNarrowestChannelsValuesAndHalfAsManyOnAnN64) {
+TEST(CountRange, IsThatOfTheNarrowestChannel) {
     Axes screen = findMethod("screen-count")->axes, alpha = findMethod("alpha-count")->axes;
     Profile p = chip("geforce2mx");
     p.colourFormats = {{"565", 5, 6, 5, 0}};
-    EXPECT_EQ(countRange(screen, p).values, 32);
-    EXPECT_FALSE(countRange(screen, p).wraps);
-    EXPECT_EQ(countRange(alpha, p).values, 256);
+    EXPECT_EQ(countRange(screen, p, true).largest, 31);
+    EXPECT_FALSE(countRange(screen, p, true).wraps);
+    EXPECT_EQ(countRange(alpha, p, true).largest, 255);
     screen.start = Start::Middle;
-    EXPECT_EQ(countRange(screen, p).start, 16);
+    EXPECT_EQ(countRange(screen, p, true).start, 16);
     Profile n64 = chipOf(BlendUnit::Rdp, 5);
     n64.blendEquations = {BlendEquation::AddWrap};
     screen.start = Start::Zero;
-    EXPECT_EQ(countRange(screen, n64).values, 16);
-    EXPECT_TRUE(countRange(screen, n64).wraps);
-    n64.colourFormats = {{"8888", 8, 8, 8, 8}};
-    EXPECT_EQ(countRange(screen, n64).values, 256) << "nine codes a step visit them all";
-    EXPECT_EQ(countRange(findMethod("heidmann")->axes, p).values, 256);
+    EXPECT_EQ(countRange(screen, n64, false).step, 2);
+    EXPECT_TRUE(countRange(screen, n64, false).wraps);
+    EXPECT_EQ(countRange(findMethod("heidmann")->axes, p, false).largest, 255);
 }
 
 TEST(CountsAsShadow, IsWrongBeyondTheRangeOnly) {
-    const CountRange clamps{.values = 32}, wraps{.values = 32, .wraps = true},
-        middle{.values = 32, .start = 16};
+    const CountRange clamps{.largest = 31}, wraps{.largest = 31, .wraps = true},
+        middle{.largest = 31, .start = 16};
     for (int entries = 0; entries <= 31; ++entries)
         for (int exits = 0; exits <= entries; ++exits) {
             EXPECT_EQ(countsAsShadow(entries, exits, clamps), entries != exits);
@@ -132,6 +167,19 @@ TEST(CountsAsShadow, IsWrongBeyondTheRangeOnly) {
     EXPECT_TRUE(countsAsShadow(32, 31, wraps));
     EXPECT_TRUE(countsAsShadow(32, 0, clamps));
     EXPECT_FALSE(countsAsShadow(32, 0, wraps));
+}
+
+TEST(CountsAsShadow, RunsOutSoonerWithLargerSteps) {
+    const CountRange n64{.largest = 31, .step = 2, .wraps = true}, gamecube{.largest = 63, .step = 2};
+    EXPECT_TRUE(countsAsShadow(15, 0, n64));
+    EXPECT_FALSE(countsAsShadow(16, 0, n64)) << "16 levels";
+    EXPECT_TRUE(countsAsShadow(17, 0, n64));
+    EXPECT_TRUE(countsAsShadow(31, 30, gamecube));
+    EXPECT_FALSE(countsAsShadow(33, 32, gamecube)) << "63 less 64";
+    // Nine codes visit all of 256.
+    const CountRange n64of8{.largest = 255, .step = 9, .wraps = true};
+    for (int net = 1; net < 256; ++net) EXPECT_TRUE(countsAsShadow(net, 0, n64of8)) << net;
+    EXPECT_FALSE(countsAsShadow(256, 0, n64of8));
 }
 
 /// The named count with another option.
@@ -245,10 +293,11 @@ std::vector<std::string> rectanglesOf(const Plan& plan) {
     return labels;
 }
 
-// One code doubles to the largest in as many steps as the widest channel has bits.
+// Where doubling is exact one code is at the largest in as many steps as the widest channel has bits.
 TEST(MaskCount, IsBlendedOnceItIsDoubledToOneOrZero) {
     Profile p = chip("geforce2mx");
     p.colourFormats = {{"565", 5, 6, 5, 0}};
+    p.blendUnits = {BlendUnit::IdealRound};
     Axes axes = counting("screen-count", Apply::Blend);
     EXPECT_THAT(rectanglesOf(planFrame(axes, kFrame, p)),
                 ElementsAre("double", "double", "double", "double", "double", "double", "invert", "add 1/2"));
@@ -257,6 +306,27 @@ TEST(MaskCount, IsBlendedOnceItIsDoubledToOneOrZero) {
                 ElementsAre("take the start away", "double", "double", "double", "double", "double", "double",
                             "invert"));
     EXPECT_EQ(planFrame(axes, kFrame, p).passes.front().colour.r, 128.0f / 255);
+    p.blendUnits = {BlendUnit::Nv2a};
+    EXPECT_EQ(rectanglesOf(planFrame(axes, kFrame, p)).size(), 1u + 7u + 1u) << "its 1 of 6 bits is 252";
+}
+
+// A GameCube has no constant factor: under a texture of intensities the count must be doubled.
+TEST(MaskCount, StepsByTwoCodesWhereOneWouldNotDouble) {
+    Profile gamecube = chip("ideal");
+    gamecube.blendUnits = {BlendUnit::Flipper};
+    gamecube.colourFormats = {{"6666", 6, 6, 6, 6}};
+    gamecube.alphaBits = 6;
+    gamecube.blendEquations = {BlendEquation::Add, BlendEquation::ReverseSubtract};
+    const auto step = [&](const char* id) {
+        const Plan plan = planFrame(counting(id, Apply::Texture), kFrame, gamecube);
+        return passesOf(plan, PassKind::Volume).front().colour.a * 255;
+    };
+    EXPECT_EQ(step("screen-count"), 4);
+    EXPECT_EQ(step("alpha-count"), 4);
+    for (const BlendFactor f : {BlendFactor::ConstantAlpha, BlendFactor::ConstantColor})
+        gamecube.destinationFactors.erase(f);
+    EXPECT_EQ(step("screen-count"), 8);
+    EXPECT_EQ(step("alpha-count"), 4) << "an alpha test tells it apart";
 }
 
 TEST(MaskCount, GoesOverTheSceneByAnAlphaTestOfItsTexture) {

@@ -296,6 +296,25 @@ TEST(ChipTerms, OfAPlayStationAreItsFourBlends) {
     EXPECT_EQ(chipTerms(stepOf(8, BlendEquation::Add), real), "") << "it has no depth to test";
 }
 
+TEST(ChipTerms, AreNoneForWhatHasNoWordsOnTheChip) {
+    Pass invert{.kind = PassKind::Volume, .logicInvert = true}, tested{.kind = PassKind::Rectangle},
+        stencilled{.kind = PassKind::Volume};
+    tested.alphaTest = {true, Compare::Notequal, 0};
+    stencilled.stencil.enabled = true;
+    for (const auto& [unit, inverts, tests] :
+         {std::tuple(BlendUnit::Gs, false, true), std::tuple(BlendUnit::VoodooMame, false, true),
+          std::tuple(BlendUnit::Flipper, true, true), std::tuple(BlendUnit::Ge, true, true),
+          std::tuple(BlendUnit::PowerVr, false, false), std::tuple(BlendUnit::Rdp, false, false),
+          std::tuple(BlendUnit::Nv3, false, false)}) {
+        Profile p = chipOf(unit);
+        p.stencilBits = 8;
+        EXPECT_EQ(chipTerms(invert, p) != "", inverts) << name(unit);
+        EXPECT_EQ(chipTerms(tested, p) != "", tests) << name(unit);
+        EXPECT_EQ(chipTerms(stencilled, p), "") << name(unit);
+        EXPECT_NE(chipTerms({.kind = PassKind::Scene, .depthTest = true}, p), "") << name(unit);
+    }
+}
+
 TEST(ChipTerms, AreNoneWhereTheChipLacksSomethingOrSpeaksOpenGL) {
     Profile ps2 = chipOf(BlendUnit::Gs);
     ps2.blendEquations = {BlendEquation::Add};
