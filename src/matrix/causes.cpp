@@ -153,10 +153,15 @@ std::map<std::string, int> causesOf(const CauseInputs& in) {
                 ++causes[causeOf(i)];
         }
     };
-    const std::string rest = in.axes.maskDivisor > 1 ? "low mask resolution" : "unexplained";
+    const std::string unknown = in.axes.maskDivisor > 1 ? "low mask resolution" : "unexplained";
+    const std::string residue = in.dithers ? "dither drift" : "rounding residue";
+    const auto rest = [&](std::size_t i) {
+        return in.byOpenGl && (*in.byOpenGl)[i] == in.truth.blocked[i] ? residue : unknown;
+    };
     if (in.axes.capFaces == CapFaces::Away) {
         // Volumes start at the faces turned away: what is inside a caster lies in none.
-        each([&](std::size_t i) { return in.truth.blocked[i] ? std::string("inside of a caster") : rest; });
+        each(
+            [&](std::size_t i) { return in.truth.blocked[i] ? std::string("inside of a caster") : rest(i); });
         return causes;
     }
     const bool startsAtEye = in.axes.count == Count::PlusPlusZp || in.axes.count == Count::AtomicZp;
@@ -168,7 +173,7 @@ std::map<std::string, int> causesOf(const CauseInputs& in) {
     // The others start somewhere else, or never overflow.
     const bool fromStart = in.axes.count <= Count::Zfail && in.axes.start != Start::Bias;
     if (counts && (in.axes.store == Store::Counter || !fromStart)) {
-        each([&](std::size_t) { return rest; });
+        each(rest);
         return causes;
     }
     const bool doubles = in.axes.arithmetic == Arithmetic::Double;
@@ -177,7 +182,7 @@ std::map<std::string, int> causesOf(const CauseInputs& in) {
                                    : parity ? parityMask(in)
                                             : limitedMask(in, doubles ? in.axes.levels : in.maskBits);
     const std::string limit = limitOf(in);
-    each([&](std::size_t i) { return mask[i] != in.truth.blocked[i] ? limit : rest; });
+    each([&](std::size_t i) { return mask[i] != in.truth.blocked[i] ? limit : rest(i); });
     return causes;
 }
 

@@ -22,6 +22,9 @@ struct CauseInputs {
     int depthBits = 24;
     int maskBits = 8;    ///< per channel of the mask
     CountRange range{};  ///< of a count in stencil, colour or alpha
+    /// The same mask by OpenGL's arithmetic, where this one is by the chip's own.
+    const std::vector<bool>* byOpenGl = nullptr;
+    bool dithers = false;  ///< the chip's stores
 };
 
 /// Why the wrong pixels of one light's mask are wrong, as far as that can be told without a predictor; the
@@ -29,7 +32,8 @@ struct CauseInputs {
 ///
 /// "mask clamps", "mask wraps", "mask underflows" (of a stencil: "stencil saturates", "stencil wraps") and
 /// "parity of overlapping volumes" are shown, not guessed: the faces of each volume are counted one by one,
-/// and the arithmetic with its limits, run over the counts, is wrong in the same pixels.
+/// and the arithmetic with its limits, run over the counts, is wrong in the same pixels. "rounding residue"
+/// and "dither drift" are pixels that none of them explains, and that OpenGL's arithmetic gets right.
 std::map<std::string, int> causesOf(const CauseInputs& in);
 
 }  // namespace gnomon

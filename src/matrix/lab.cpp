@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "gl/capability.h"
 #include "matrix/causes.h"
@@ -134,6 +135,10 @@ struct Lab::Impl {
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
     LightFrame current{};
+
+    // Of the cell that is drawn.
+    std::function<std::vector<std::vector<bool>>()> drawnByOpenGl{};
+    std::optional<std::vector<std::vector<bool>>> openGlMasks{};
 
     int lights() const { return int(scene.lights.size()); }
     const Light& light(int index) const { return scene.lights[std::size_t(index)]; }
@@ -311,6 +316,15 @@ struct Lab::Impl {
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
         cell.cpuMs = rendered.cpuMs;
+        // What OpenGL's own arithmetic makes of it, should anyone ask.
+        openGlMasks.reset();
+        drawnByOpenGl = [&] {
+            const FidelityChoice kept = std::exchange(fidelity, {});
+            Rendered other = render(contextOf(profile), profile, plan, surfacesOf(), frames);
+            fidelity = kept;
+            other.masks.resize(std::size_t(lights()), other.masks.front());
+            return std::move(other.masks);
+        };
         const Judgement judgement = judged(cell, profile, axes, format, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
         cell.wrongEdge = judgement.edge, cell.wrongInterior = judgement.interior;
@@ -360,6 +374,9 @@ struct Lab::Impl {
                                       : std::shared_ptr<const FrameVolumes>();
         const Plan plan = planOf(profile, axes);
         const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
+        const bool byChip = fidelity.fidelity == Fidelity::Chip;
+        if (byChip && !openGlMasks) openGlMasks = drawnByOpenGl();
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
         const auto causes = causesOf(
             {.judgement = judgement,
              .truth = truth,
@@ -373,7 +390,9 @@ struct Lab::Impl {
              .depthBits = format.depth,
              .maskBits = axes.store == Store::Alpha ? format.alpha
                                                     : std::min({format.red, format.green, format.blue}),
-             .range = countRange(axes, profile, doubled)});
+             .range = countRange(axes, profile, doubled),
+             .byOpenGl = byChip ? &(*openGlMasks)[std::size_t(index)] : nullptr,
+             .dithers = chip.undithered != DitherMode::Off});
         for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
     }
 };
