@@ -9,7 +9,8 @@ const char* name(Fidelity fidelity) {
 }
 
 ChipArithmetic arithmeticOf(const Profile& profile, const FidelityChoice& choice) {
-    if (choice.fidelity == Fidelity::Gl) return {};
+    if (choice.fidelity == Fidelity::Gl)
+        return {.wraps = profile.blendEquations.contains(BlendEquation::AddWrap)};
     const auto lists = [](const auto& list, const auto& value) {
         return std::find(list.begin(), list.end(), value) != list.end();
     };

@@ -24,6 +24,7 @@ struct ChipArithmetic {
     DitherMode dither = DitherMode::Off;      ///< while GL_DITHER is enabled
     DitherMode undithered = DitherMode::Off;  ///< while it is not: off, unless the chip can't do without
     DepthEncoding depth = DepthEncoding::Linear;
+    bool wraps = false;  ///< Fidelity::Gl: knows sums that wrap, which OpenGL has not
     auto operator<=>(const ChipArithmetic&) const = default;
 };
 
@@ -35,7 +36,7 @@ struct FidelityChoice {
     std::optional<BlendUnit> unit{};
 };
 
-/// The arithmetic of @p profile. At Fidelity::Gl all is ideal.
+/// The arithmetic of @p profile. At Fidelity::Gl all is ideal, with sums that wrap if the chip has them.
 ChipArithmetic arithmeticOf(const Profile& profile, const FidelityChoice& choice);
 
 }  // namespace gnomon

@@ -333,7 +333,8 @@ class Emulation {
 bool needsEmulation(const BufferFormat& format, const ChipArithmetic& chip) {
     const bool has565 = format.red == 5 && format.green == 6 && format.blue == 5 && format.alpha == 0;
     const bool has8888 = format.red == 8 && format.green == 8 && format.blue == 8 && format.alpha == 8;
-    return chip.fidelity == Fidelity::Chip || !(has565 || has8888) || storesOtherDepth(format, chip);
+    return chip.fidelity == Fidelity::Chip || chip.wraps || !(has565 || has8888) ||
+           storesOtherDepth(format, chip);
 }
 
 GlTable emulate(const BufferFormat& format, const ChipArithmetic& chip, int width, int height,

@@ -230,9 +230,13 @@ struct Lab::Impl {
         });
     }
 
-    Surface& contextOf(const Profile& profile) {
+    /// Sums that wrap are emulated for plans that have them, so that all others are OpenGL's alone.
+    Surface& contextOf(const Profile& profile, const Plan& plan) {
         const BufferFormat format = bufferFormatOf(profile);
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        chip.wraps = chip.wraps && std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
+                         return pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap;
+                     });
         auto& context = contexts[{format, chip, key.width, key.height}];
         if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip);
         return *context;
@@ -248,7 +252,7 @@ struct Lab::Impl {
             };
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
-                at->second = render(contextOf(profile), profile, plan, surfacesOf(), frames).cpuMs;
+                at->second = render(contextOf(profile, plan), profile, plan, surfacesOf(), frames).cpuMs;
         }
         return at->second;
     }
@@ -300,7 +304,7 @@ struct Lab::Impl {
               const std::function<void(Surface&, std::size_t)>& afterPass) {
         const BufferFormat format = bufferFormatOf(profile);
         cell.unshadowedMs = unshadowedMs(profile);
-        Surface& surface = contextOf(profile);
+        Surface& surface = contextOf(profile, plan);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
@@ -320,7 +324,7 @@ struct Lab::Impl {
         openGlMasks.reset();
         drawnByOpenGl = [&] {
             const FidelityChoice kept = std::exchange(fidelity, {});
-            Rendered other = render(contextOf(profile), profile, plan, surfacesOf(), frames);
+            Rendered other = render(contextOf(profile, plan), profile, plan, surfacesOf(), frames);
             fidelity = kept;
             other.masks.resize(std::size_t(lights()), other.masks.front());
             return std::move(other.masks);

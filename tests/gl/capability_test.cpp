@@ -478,14 +478,14 @@ void expectAsForeseen(const Profile& profile, const Probe& probe) {
 class EachLimitedChip : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachLimitedChip, RefusesWhatItLacksBeforeTheDriverAndLetsTheRestThrough) {
-    const Profile profile = shipped(GetParam());
+    const Profile profile = chip(GetParam());
     for (const Probe& probe : probesOf(profile)) expectAsForeseen(profile, probe);
 }
 
 // Issue 2, part 3.
 TEST_P(EachLimitedChip, IsProbedBySixtyForbiddenCallsOrMore) {
     std::set<std::string> forbidden, all;
-    for (const Probe& probe : probesOf(shipped(GetParam()))) {
+    for (const Probe& probe : probesOf(chip(GetParam()))) {
         EXPECT_TRUE(all.insert(probe.name).second) << probe.name << " twice";
         if (!probe.lacks.empty()) forbidden.insert(probe.name);
     }
@@ -496,7 +496,7 @@ INSTANTIATE_TEST_SUITE_P(Chips, EachLimitedChip, testing::ValuesIn(kLimitedChips
                          [](const auto& test) { return test.param; });
 
 TEST(Ideal, LetsEachProbeReachTheDriver) {
-    const Profile ideal = shipped("ideal");
+    const Profile ideal = chip("ideal");
     for (const Probe& probe : probesOf(ideal)) {
         EXPECT_THAT(probe.lacks, IsEmpty()) << probe.name;
         expectAsForeseen(ideal, probe);
@@ -516,7 +516,7 @@ void PrintTo(const Refusal& r, std::ostream* out) {
 class EachKnownRefusal : public testing::TestWithParam<Refusal> {};
 
 TEST_P(EachKnownRefusal, NamesCallArgumentCapabilityAndSource) {
-    const Profile profile = shipped(GetParam().chip);
+    const Profile profile = chip(GetParam().chip);
     const FakeDriver driver;
     const GlTable gl = restrictTo(profile, bufferFormatOf(profile), driver.table());
     const auto violation = violationOf([&] { GetParam().calls(gl); });
@@ -607,7 +607,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 // A chip with programs may still lack each of the things that they can ask for.
 TEST(ProgrammableChip, IsRefusedWhatItsProgramsLack) {
-    Profile p = shipped("ideal");
+    Profile p = chip("ideal");
     p.geometryShaders = p.framebufferFetch = p.atomicCounters = false;
     const FakeDriver driver;
     const GlTable gl = restrictTo(p, bufferFormatOf(p), driver.table());
@@ -630,7 +630,7 @@ TEST(ProgrammableChip, IsRefusedWhatItsProgramsLack) {
 }
 
 TEST(Ps2, RefusesConstantPairsToDrawsWithAProgram) {
-    Profile ps2 = shipped("ps2");
+    Profile ps2 = chip("ps2");
     ps2.shaders = true;
     const FakeDriver driver;
     const GlTable gl = restrictTo(ps2, bufferFormatOf(ps2), driver.table());
@@ -644,7 +644,7 @@ TEST(Ps2, RefusesConstantPairsToDrawsWithAProgram) {
 
 // A Voodoo that chose destination alpha instead of depth has it, with the factors 0 and 1 only.
 TEST(VoodooWithAlphaInsteadOfDepth, AddsAlphaButCannotDoubleIt) {
-    const Profile voodoo = shipped("voodoo2");
+    const Profile voodoo = chip("voodoo2");
     const FakeDriver driver;
     const GlTable gl = restrictTo(
         voodoo, {.red = 5, .green = 6, .blue = 5, .alpha = 8, .depth = 0, .stencil = 0}, driver.table());
@@ -657,7 +657,7 @@ TEST(VoodooWithAlphaInsteadOfDepth, AddsAlphaButCannotDoubleIt) {
 
 // The chip's FIX is OpenGL's constant alpha, so the call that sets it must be there with the pairs.
 TEST(Ps2, SetsTheConstantThatItsPairsUse) {
-    const Profile ps2 = shipped("ps2");
+    const Profile ps2 = chip("ps2");
     const FakeDriver driver;
     const GlTable gl = restrictTo(ps2, bufferFormatOf(ps2), driver.table());
     gl.BlendFunc(GL_CONSTANT_ALPHA, GL_ZERO);
@@ -666,7 +666,7 @@ TEST(Ps2, SetsTheConstantThatItsPairsUse) {
 
 // llvmpipe itself can do all of this; what refuses is the layer, and OpenGL's state stays as it was.
 TEST(RealDriver, NeverSeesARefusedCall) {
-    const Profile voodoo = shipped("voodoo1");
+    const Profile voodoo = chip("voodoo1");
     Surface surface(bufferFormatOf(voodoo), 8, 8);
     const GlTable gl = restrictTo(voodoo, surface.format(), surface.driver());
     const auto pixel = [&] {

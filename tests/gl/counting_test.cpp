@@ -26,7 +26,7 @@ class Studio {
   public:
     Studio(const Scene& scene, int width, int height, const Profile& profile = ideal())
         : m_profile(profile),
-          m_surface(bufferFormatOf(profile), width, height),
+          m_surface(bufferFormatOf(profile), width, height, arithmeticOf(profile, {})),
           m_frame(frameOf(scene, width, height)) {}
 
     Plan planOf(const Axes& axes, int holdingEye = 0) const {
@@ -255,7 +255,6 @@ TEST(DeepStacks, FoolAMaskOf8BitsThatClampsAsTheyFoolAStencil) {
 }
 
 TEST(DeepStacks, FoolAMaskOf8BitsThatWrapsAtExactly256) {
-    if (!drawsSumsThatWrap()) GTEST_SKIP() << "nothing draws sums that wrap";
     for (const Axes& axes : maskCounts(Overflow::Wrap)) {
         SCOPED_TRACE(describe(axes));
         for (const auto& [volumes, dark] : {std::pair(255, true), {256, false}, {257, true}})
@@ -266,11 +265,10 @@ TEST(DeepStacks, FoolAMaskOf8BitsThatWrapsAtExactly256) {
 
 /// Colours of 5, 6 and 5 bits, and nothing else to count in.
 Profile fewBits() {
-    Profile p = shipped("ideal");
+    Profile p = chip("ideal");
     p.colourFormats = {{"565", 5, 6, 5, 0}};
     p.alphaBits = p.stencilBits = 0;
     p.depthBits = {16};
-    if (!drawsSumsThatWrap()) p.blendEquations.erase(BlendEquation::AddWrap);
     return p;
 }
 
@@ -292,7 +290,6 @@ TEST(DeepStacks, FoolAMaskOf5BitsThatClampsBeyond31OnTheWay) {
 }
 
 TEST(DeepStacks, FoolAMaskOf5BitsThatWrapsAtExactly32) {
-    if (!drawsSumsThatWrap()) GTEST_SKIP() << "nothing draws sums that wrap";
     const Profile p = fewBits();
     const Axes wraps = overflowing("screen-count", Overflow::Wrap);
     for (const auto& [volumes, dark] : {std::pair(31, true), {32, false}, {33, true}})
@@ -349,7 +346,7 @@ TEST(TwoLights, DrawWhatEachWouldAlone) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height);
+    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     shape.lights[1].directional = true;
@@ -378,7 +375,7 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height);
+    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {

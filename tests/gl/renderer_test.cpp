@@ -45,7 +45,7 @@ class Studio {
   public:
     Studio(const std::string& chipId, const Scene& scene, int width, int height)
         : m_profile(chip(chipId)),
-          m_surface(bufferFormatOf(m_profile), width, height),
+          m_surface(bufferFormatOf(m_profile), width, height, arithmeticOf(m_profile, {})),
           m_frame(frameOf(scene, width, height)) {}
 
     Rendered draw(const Axes& axes) {
@@ -93,7 +93,7 @@ constexpr float kHalf = 128.0f / 255;
 /// Red, green and blue of a pixel after each of @p passes.
 std::vector<Pixel> ladder(const std::string& chipId, std::vector<Pass> passes) {
     const Profile profile = chip(chipId);
-    Surface surface(bufferFormatOf(profile), 4, 4);
+    Surface surface(bufferFormatOf(profile), 4, 4, arithmeticOf(profile, {}));
     const Plan plan{.passes = std::move(passes), .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
     std::vector<Pixel> values;
     render(surface, profile, plan, {}, {},

@@ -10,7 +10,6 @@
 #include "profile/profile.h"
 #include "scene/primitives.h"
 #include "volume/blockers.h"
-#include "wraps.h"
 
 namespace gnomon {
 
@@ -21,14 +20,8 @@ inline void PrintTo(Shade shade, std::ostream* out) {
 inline const std::vector<std::string> kLimitedChips{"geforce2mx", "ps2",     "tnt",
                                                     "voodoo1",    "voodoo2", "voodoo3"};
 
-/// A profile as it ships.
-inline Profile shipped(const std::string& id) {
-    return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / (id + ".toml"));
-}
-
-/// A profile to draw with.
 inline Profile chip(const std::string& id) {
-    return drawable(shipped(id));
+    return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / (id + ".toml"));
 }
 
 inline Object placed(const std::string& name, Mesh mesh, const glm::vec3& at, bool casts = true) {

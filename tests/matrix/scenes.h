@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <string>
 
-#include "gl/wraps.h"
 #include "matrix/run.h"
 #include "profile/profile.h"
 #include "scene/load.h"
@@ -17,7 +16,7 @@ inline Scene shippedScene(const std::string& id) {
 }
 
 inline Profile chip(const std::string& id) {
-    return drawable(loadProfile(kSource / "profiles" / (id + ".toml")));
+    return loadProfile(kSource / "profiles" / (id + ".toml"));
 }
 
 inline Axes method(const std::string& id) {
