@@ -366,6 +366,10 @@ std::string finishedText(const EmulatedDraw& state, int c, const std::string& su
 /// The code that is stored for a value of 8 bits, or for the sum before its clamp.
 std::string storedText(const EmulatedDraw& state, int c, const std::string& sum) {
     const int bits = channelBits(state.format, c);
+    // OpenGL has no sum that wraps: of one and one it is that of the codes.
+    const bool wraps = state.blends && state.equation[c == kAlpha] == BlendEquation::AddWrap;
+    if (state.chip.fidelity == Fidelity::Gl && wraps)
+        return fmt::format("(c{0} + (2 * s{0} * {1} + 255) / 510) & {1}", c, largestCode(bits));
     const std::string value = finishedText(state, c, sum);
     if (state.chip.fidelity == Fidelity::Gl && bits < 8)
         return fmt::format("(2 * {} * {} + 255) / 510", value, largestCode(bits));

@@ -156,6 +156,10 @@ class Emulation {
     }
 
     void makeBuffers() {
+        for (int c = 0; c < 4; ++c)
+            if (channelBits(m_format, c) > 8)
+                throw std::runtime_error(fmt::format("no OSMesa buffer of {}{}{}{} bits", m_format.red,
+                                                     m_format.green, m_format.blue, m_format.alpha));
         const bool bytes = isBytes();
         const GLenum word = wordBits(m_format) == 16 ? GL_R16UI : GL_R32UI;
         std::array<GLuint, 2> textures{};

@@ -355,10 +355,10 @@ TEST(SurfaceBuffers, AreTheChips) {
     EXPECT_EQ(bufferFormatOf(chip("ps2")).stencil, 0);
 }
 
-TEST(SurfaceBuffers, ThatOSMesaLacksAreRefused) {
-    EXPECT_THROW(Surface({.red = 5, .green = 6, .blue = 5, .alpha = 0, .depth = 16, .stencil = 8}, 4, 4),
+TEST(SurfaceBuffers, OfMoreThanEightBitsPerChannelAreRefused) {
+    EXPECT_THROW(Surface({.red = 10, .green = 10, .blue = 10, .alpha = 0, .depth = 24, .stencil = 8}, 4, 4),
                  std::runtime_error);
-    EXPECT_THROW(Surface({.red = 3, .green = 3, .blue = 2, .alpha = 0, .depth = 16, .stencil = 0}, 4, 4),
+    EXPECT_THROW(Surface({.red = 12, .green = 12, .blue = 12, .alpha = 12, .depth = 16, .stencil = 0}, 4, 4),
                  std::runtime_error);
 }
 
