@@ -310,6 +310,11 @@ std::string blended(const EmulatedDraw& state, int c) {
     if (unit == BlendUnit::Ge && c == kAlpha) return d;
     if (equation == BlendEquation::Min) return fmt::format("min({}, {})", s, d);
     if (equation == BlendEquation::Max) return fmt::format("max({}, {})", s, d);
+    if (equation == BlendEquation::SignedAdd || equation == BlendEquation::SignedReverseSubtract) {
+        if (unit != BlendUnit::Nv2a) refuse(state, c, name(equation).c_str());
+        const char sign = equation == BlendEquation::SignedAdd ? '+' : '-';
+        return fmt::format("({} {} ({} < 128 ? {} : {} - 256))", d, sign, s, s, s);
+    }
     const Factor f = factorOf(state, state.source[side], c), g = factorOf(state, state.destination[side], c);
     if (isGs(unit)) return gsSetting(state, c, f, g);
     if (!takesAnyFactor(unit)) return fixedSetting(state, c, f, g);
@@ -367,7 +372,11 @@ std::string finishedText(const EmulatedDraw& state, int c, const std::string& su
 std::string storedText(const EmulatedDraw& state, int c, const std::string& sum) {
     const int bits = channelBits(state.format, c);
     // OpenGL has no sum that wraps: of one and one it is that of the codes.
-    const bool wraps = state.blends && state.equation[c == kAlpha] == BlendEquation::AddWrap;
+    const auto side = std::size_t(c == kAlpha);
+    const bool wraps = state.blends && state.equation[side] == BlendEquation::AddWrap;
+    if (state.chip.fidelity == Fidelity::Gl && wraps &&
+        (state.source[side] != One || state.destination[side] != One))
+        refuse(state, c, "add_wrap");
     if (state.chip.fidelity == Fidelity::Gl && wraps)
         return fmt::format("(c{0} + (2 * s{0} * {1} + 255) / 510) & {1}", c, largestCode(bits));
     const std::string value = finishedText(state, c, sum);

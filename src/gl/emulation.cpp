@@ -17,6 +17,12 @@
 namespace gnomon {
 namespace {
 
+/// Drivers know no others.
+bool equationIsOpenGls(GLenum equation) {
+    return equation != GL_FUNC_ADD_WRAP && equation != GL_FUNC_SIGNED_ADD &&
+           equation != GL_FUNC_SIGNED_REVERSE_SUBTRACT;
+}
+
 /// What the caller has set, as far as it decides how a draw is done.
 struct CallerState {
     bool blend = false, invert = false, dither = false;
@@ -144,15 +150,18 @@ class Emulation {
     DitherMode ditherMode() const { return s.dither ? m_chip.dither : m_chip.undithered; }
 
     /// Whether the words are what OpenGL's RGBA8 holds.
-    bool isBytes() const { return m_format.red == 8 && m_format.green == 8 && m_format.blue == 8; }
+    bool isBytes() const {
+        const bool alpha = m_format.alpha == 8 || m_format.alpha == 0;
+        return m_format.red == 8 && m_format.green == 8 && m_format.blue == 8 && alpha;
+    }
 
     /// Whether OpenGL's own store gives what the chip's would for the state as it is.
     bool storesAsOpenGl(unsigned channels) const {
         if (!isBytes() || (isGs() && (channels & 8)) || dithers(ditherMode(), 8)) return false;
         if (s.invert && s.logicOp == GL_INVERT) return true;
         if (!s.blend) return true;
-        const bool wraps = s.equation[0] == BlendEquation::AddWrap || s.equation[1] == BlendEquation::AddWrap;
-        return m_chip.fidelity == Fidelity::Gl && !wraps;
+        const bool openGls = s.equation[0] < BlendEquation::AddWrap && s.equation[1] < BlendEquation::AddWrap;
+        return m_chip.fidelity == Fidelity::Gl && openGls;
     }
 
     void makeBuffers() {
@@ -426,13 +435,12 @@ GlTable emulate(const BufferFormat& format, const ChipArithmetic& chip, int widt
     };
     gl.BlendEquation = [e](GLenum equation) {
         e->s.equation.fill(blendEquationOf(equation).value_or(BlendEquation::Add));
-        if (equation != GL_FUNC_ADD_WRAP) e->gl.BlendEquation(equation);
+        if (equationIsOpenGls(equation)) e->gl.BlendEquation(equation);
     };
     gl.BlendEquationSeparate = [e](GLenum colour, GLenum alpha) {
         e->s.equation = {blendEquationOf(colour).value_or(BlendEquation::Add),
                          blendEquationOf(alpha).value_or(BlendEquation::Add)};
-        if (colour != GL_FUNC_ADD_WRAP && alpha != GL_FUNC_ADD_WRAP)
-            e->gl.BlendEquationSeparate(colour, alpha);
+        if (equationIsOpenGls(colour) && equationIsOpenGls(alpha)) e->gl.BlendEquationSeparate(colour, alpha);
     };
     gl.BlendColor = [e](GLfloat r, GLfloat g, GLfloat b, GLfloat a) {
         e->s.blendColour = {r, g, b, a};

@@ -23,8 +23,9 @@ constexpr std::array<GLenum, 15> kFactors{GL_ZERO,
                                           GL_ONE_MINUS_CONSTANT_COLOR,
                                           GL_CONSTANT_ALPHA,
                                           GL_ONE_MINUS_CONSTANT_ALPHA};
-constexpr std::array<GLenum, 6> kEquations{GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT,
-                                           GL_MIN,      GL_MAX,           GL_FUNC_ADD_WRAP};
+constexpr std::array<GLenum, 8> kEquations{
+    GL_FUNC_ADD, GL_FUNC_SUBTRACT, GL_FUNC_REVERSE_SUBTRACT, GL_MIN,
+    GL_MAX,      GL_FUNC_ADD_WRAP, GL_FUNC_SIGNED_ADD,       GL_FUNC_SIGNED_REVERSE_SUBTRACT};
 constexpr std::array<GLenum, 8> kCompares{GL_NEVER,   GL_LESS,     GL_EQUAL,  GL_LEQUAL,
                                           GL_GREATER, GL_NOTEQUAL, GL_GEQUAL, GL_ALWAYS};
 constexpr std::array<GLenum, 8> kStencilOps{GL_KEEP, GL_ZERO,   GL_REPLACE,   GL_INCR,

@@ -8,9 +8,10 @@
 
 namespace gnomon {
 
-/// What OpenGL has no enumerant for: a sum that wraps. Only the chip emulation knows it; no driver gets to
-/// see it. From the range that no extension uses.
-constexpr GLenum GL_FUNC_ADD_WRAP = 0x6f01;
+/// What OpenGL has no enumerant for: a sum that wraps, and NV2A's signed sums. Only the chip emulation knows
+/// it; no driver gets to see it. From the range that no extension uses.
+constexpr GLenum GL_FUNC_ADD_WRAP = 0x6f01, GL_FUNC_SIGNED_ADD = 0x6f02,
+                 GL_FUNC_SIGNED_REVERSE_SUBTRACT = 0x6f03;
 
 /// OpenGL's enumerants for the words of profiles and plans, and back; nothing for an enumerant that has no
 /// word.

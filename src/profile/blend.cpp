@@ -274,6 +274,10 @@ BlendOperation operationOf(BlendEquation equation) {
             return Max;
         case BlendEquation::AddWrap:
             return AddWrap;
+        case BlendEquation::SignedAdd:
+            return SignedAdd;
+        case BlendEquation::SignedReverseSubtract:
+            return SignedReverseSubtract;
     }
     return Add;
 }

@@ -31,9 +31,19 @@ enum class BlendFactor : std::uint8_t {
     ConstantAlpha,
     OneMinusConstantAlpha
 };
-/// AddWrap is not OpenGL's: the sum keeps its low bits instead of clamping (PS2: COLCLAMP 0; N64: forced
-/// blend).
-enum class BlendEquation : std::uint8_t { Add, Subtract, ReverseSubtract, Min, Max, AddWrap };
+/// The last three are not OpenGL's: AddWrap keeps the sum's low bits instead of clamping (PS2: COLCLAMP 0;
+/// N64: forced blend); the signed ones add or subtract the source as two's complement, without factors
+/// (NV2A).
+enum class BlendEquation : std::uint8_t {
+    Add,
+    Subtract,
+    ReverseSubtract,
+    Min,
+    Max,
+    AddWrap,
+    SignedAdd,
+    SignedReverseSubtract
+};
 enum class Compare : std::uint8_t { Never, Less, Equal, Lequal, Greater, Notequal, Gequal, Always };
 enum class StencilOp : std::uint8_t { Keep, Zero, Replace, Incr, Decr, Invert, IncrWrap, DecrWrap };
 

@@ -27,8 +27,9 @@ std::span<const std::string> names<BlendFactor>() {
 
 template <>
 std::span<const std::string> names<BlendEquation>() {
-    static const std::array<std::string, 6> kNames{"add", "subtract", "reverse_subtract",
-                                                   "min", "max",      "add_wrap"};
+    static const std::array<std::string, 8> kNames{
+        "add", "subtract", "reverse_subtract", "min",
+        "max", "add_wrap", "signed_add",       "signed_reverse_subtract"};
     return kNames;
 }
 

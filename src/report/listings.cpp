@@ -45,6 +45,10 @@ std::string equationsOf(const Profile& p, bool shortly) {
                 return "rev";
             case BlendEquation::AddWrap:
                 return "wrap";
+            case BlendEquation::SignedAdd:
+                return "sadd";
+            case BlendEquation::SignedReverseSubtract:
+                return "srev";
             default:
                 return name(equation);
         }

@@ -217,8 +217,9 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     }
     const std::vector<Column> groups = folded(columns);
 
-    std::string text = fmt::format("{}, {}x{}, frame{} {}\n\n", cells[0]->scene, cells[0]->width,
-                                   cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "));
+    std::string text = fmt::format("{}, {}x{}, frame{} {}{}\n\n", cells[0]->scene, cells[0]->width,
+                                   cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "),
+                                   cells[0]->fidelity == "chip" ? ", with the chips' own arithmetic" : "");
     text += blocksOf(methods, groups);
     std::string legend;
     for (const Column& group : groups)
@@ -235,11 +236,11 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
 }  // namespace
 
 std::string matrixText(const std::vector<Cell>& cells) {
-    std::vector<std::tuple<std::string, int, int>> keys;
-    std::map<std::tuple<std::string, int, int>, std::vector<const Cell*>> tables;
+    std::vector<std::tuple<std::string, int, int, std::string>> keys;
+    std::map<std::tuple<std::string, int, int, std::string>, std::vector<const Cell*>> tables;
     std::vector<std::string> profiles;
     for (const Cell& cell : cells) {
-        const std::tuple key(cell.scene, cell.width, cell.height);
+        const std::tuple key(cell.scene, cell.width, cell.height, cell.fidelity);
         addOnce(keys, key);
         tables[key].push_back(&cell);
         addOnce(profiles, cell.profile);

@@ -50,13 +50,15 @@ constexpr std::array<Named<BlendFactor>, 15> kFactors{{
     {GL_CONSTANT_ALPHA, "GL_CONSTANT_ALPHA", BlendFactor::ConstantAlpha},
     {GL_ONE_MINUS_CONSTANT_ALPHA, "GL_ONE_MINUS_CONSTANT_ALPHA", BlendFactor::OneMinusConstantAlpha},
 }};
-constexpr std::array<Named<BlendEquation>, 6> kEquations{{
+constexpr std::array<Named<BlendEquation>, 8> kEquations{{
     {GL_FUNC_ADD, "GL_ADD", BlendEquation::Add},
     {GL_FUNC_SUBTRACT, "GL_SUBTRACT", BlendEquation::Subtract},
     {GL_FUNC_REVERSE_SUBTRACT, "GL_REVERSE_SUBTRACT", BlendEquation::ReverseSubtract},
     {GL_MIN, "GL_MIN", BlendEquation::Min},
     {GL_MAX, "GL_MAX", BlendEquation::Max},
     {GL_FUNC_ADD_WRAP, "GL_ADD_WRAP", BlendEquation::AddWrap},
+    {GL_FUNC_SIGNED_ADD, "GL_SIGNED_ADD", BlendEquation::SignedAdd},
+    {GL_FUNC_SIGNED_REVERSE_SUBTRACT, "GL_SIGNED_REVERSE_SUBTRACT", BlendEquation::SignedReverseSubtract},
 }};
 constexpr std::array<Named<Compare>, 8> kCompares{{
     {GL_NEVER, "GL_NEVER", Compare::Never},

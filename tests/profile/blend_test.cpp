@@ -436,7 +436,11 @@ TEST(Operations, AreTheEquationsOfProfiles) {
     using enum BlendEquation;
     for (std::size_t i = 0; i < names<BlendEquation>().size(); ++i) {
         const auto equation = static_cast<BlendEquation>(i);
-        const auto expected = equation == AddWrap ? BlendOperation::AddWrap : static_cast<BlendOperation>(i);
+        // The operations have the absolute difference between NV2A's and the wrapping sum.
+        const auto expected = equation == AddWrap                 ? BlendOperation::AddWrap
+                              : equation == SignedAdd             ? BlendOperation::SignedAdd
+                              : equation == SignedReverseSubtract ? BlendOperation::SignedReverseSubtract
+                                                                  : static_cast<BlendOperation>(i);
         EXPECT_EQ(operationOf(equation), expected) << name(equation);
     }
 }

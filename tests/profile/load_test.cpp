@@ -382,7 +382,7 @@ INSTANTIATE_TEST_SUITE_P(
               ":3: unknown word \"bus\" in frame_texture (known: none, host, copy, direct)"},
         Fault{"Equation", "blend_equations = [\n\"add\",\n\"sub\"]\n",
               ":5: unknown word \"sub\" in blend_equations (known: add, subtract, reverse_subtract, min, "
-              "max, add_wrap)"},
+              "max, add_wrap, signed_add, signed_reverse_subtract)"},
         Fault{"Compare", "depth_functions = [\"lesser\"]\n",
               ":3: unknown word \"lesser\" in depth_functions (known: never, less, equal, lequal, greater, "
               "notequal, gequal, always)"},

@@ -19,11 +19,11 @@ template <class Kind>
 class Words : public testing::Test {};
 
 using Kinds = testing::Types<Kind<BlendFactor, BlendFactor::OneMinusConstantAlpha>,
-                             Kind<BlendEquation, BlendEquation::AddWrap>, Kind<Compare, Compare::Always>,
-                             Kind<StencilOp, StencilOp::DecrWrap>, Kind<WriteMask, WriteMask::Channel>,
-                             Kind<FrameTexture, FrameTexture::Direct>, Kind<BlendUnit, BlendUnit::Nv2a>,
-                             Kind<DitherMode, DitherMode::Ge>, Kind<DepthEncoding, DepthEncoding::N64>,
-                             Kind<Evidence, Evidence::Guess>>;
+                             Kind<BlendEquation, BlendEquation::SignedReverseSubtract>,
+                             Kind<Compare, Compare::Always>, Kind<StencilOp, StencilOp::DecrWrap>,
+                             Kind<WriteMask, WriteMask::Channel>, Kind<FrameTexture, FrameTexture::Direct>,
+                             Kind<BlendUnit, BlendUnit::Nv2a>, Kind<DitherMode, DitherMode::Ge>,
+                             Kind<DepthEncoding, DepthEncoding::N64>, Kind<Evidence, Evidence::Guess>>;
 TYPED_TEST_SUITE(Words, Kinds);
 
 TYPED_TEST(Words, AreReadBackFromTheirNames) {
