@@ -593,8 +593,10 @@ std::string fragmentProgram(const EmulatedDraw& state) {
         for (int c = 0; c < 4; ++c) {
             const int bits = channelBits(format, c);
             if (reads && bits > 0)
-                text += fmt::format("    int c{} = old >> {} & {};\n", c, channelShift(format, c),
-                                    largestCode(bits));
+                text += channelShift(format, c) + bits == wordBits(format)
+                            ? fmt::format("    int c{} = int(word.r >> {}u);\n", c, channelShift(format, c))
+                            : fmt::format("    int c{} = old >> {} & {};\n", c, channelShift(format, c),
+                                          largestCode(bits));
             else
                 text += fmt::format("    int c{} = 0;\n", c);
             text += fmt::format("    int d{} = {};\n", c, readBackText(state, c));

@@ -1,7 +1,7 @@
 /// What the chips' own arithmetic costs beside OpenGL's blending, on one core of this machine.
 ///
 /// Frames of 1024x1024 of the shipped scenes, drawn through the capability layer as the program draws them;
-/// the time is that of the frame with the timed passes eight times over, less that without them, by thread
+/// the time is that of the frame with the timed passes 16 times over, less that without them, by thread
 /// CPU time.
 ///
 /// - Mask/SCENE/PROFILE/gl, .../chip: the mask of roettger-screen (PS2: screen-texture), volumes and
@@ -10,7 +10,8 @@
 /// - Volumes/SCENE/stencil, .../alpha/gl, .../alpha/chip: the volume passes of heidmann and of roettger-alpha
 /// - Smoke: one small frame of each kind
 ///
-/// --table prints ratios: each repetition's chip to its gl, and alpha to stencil, with the bars.
+/// Each repetition draws all ways in turn. --table prints the medians of the repetitions' ratios, with the
+/// bars.
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
@@ -81,7 +82,7 @@ class Easel {
         return render(m_surface, m_profile, plan, m_frame.surfaces, m_frame.lights()).cpuMs;
     }
 
-    static constexpr int kTimes = 8;
+    static constexpr int kTimes = 16;
     Profile m_profile;
     Frame m_frame;
     Surface m_surface;
@@ -98,17 +99,33 @@ bool isOfMask(const Pass& pass) {
     return isVolume(pass) || isRectangle(pass);
 }
 
-void add(const std::string& name, const std::string& scene, const std::string& profile,
-         const std::string& method, Fidelity fidelity, bool (*counts)(const Pass&)) {
-    benchmark::RegisterBenchmark(
-        name.c_str(),
-        [=](benchmark::State& state) {
-            static std::map<std::string, std::unique_ptr<Easel>> easels;
-            auto& easel = easels[scene + profile + method + name.substr(name.rfind('/'))];
-            if (!easel) easel = std::make_unique<Easel>(scene, profile, method, fidelity, counts);
-            for ([[maybe_unused]] const auto _ : state)
-                state.SetIterationTime(std::max(easel->draw(), 1e-6) / 1e3);
-        })
+/// One way of drawing in a comparison.
+struct Way {
+    std::string name{}, profile{}, method{};
+    Fidelity fidelity = Fidelity::Gl;
+};
+
+/// Draws all ways in turn, so that they share the machine's moods; the first is what the others are held to.
+void compare(const std::string& name, const std::string& scene, const std::vector<Way>& ways,
+             bool (*counts)(const Pass&)) {
+    benchmark::RegisterBenchmark(name.c_str(),
+                                 [=](benchmark::State& state) {
+                                     std::vector<std::unique_ptr<Easel>> easels;
+                                     for (const Way& way : ways)
+                                         easels.push_back(std::make_unique<Easel>(
+                                             scene, way.profile, way.method, way.fidelity, counts));
+                                     for ([[maybe_unused]] const auto _ : state) {
+                                         double all = 0, first = 0;
+                                         for (std::size_t i = 0; i < ways.size(); ++i) {
+                                             const double ms = easels[i]->draw();
+                                             if (i == 0) first = ms;
+                                             all += ms;
+                                             state.counters[ways[i].name] = ms;
+                                             if (i > 0) state.counters[ways[i].name + " ratio"] = ms / first;
+                                         }
+                                         state.SetIterationTime(all / 1e3);
+                                     }
+                                 })
         ->UseManualTime()
         ->Unit(benchmark::kMillisecond)
         ->Iterations(1);
@@ -118,46 +135,50 @@ void addAll() {
     for (const std::string scene : {"roettger", "boxes", "knot"}) {
         for (const std::string profile : {"voodoo2", "ps2", "tnt", "geforce2mx"}) {
             const std::string method = profile == "ps2" ? "screen-texture" : "roettger-screen";
-            for (const Fidelity fidelity : {Fidelity::Gl, Fidelity::Chip}) {
-                add(fmt::format("Mask/{}/{}/{}", scene, profile, name(fidelity)), scene, profile, method,
-                    fidelity, isOfMask);
-                if (scene == "boxes")
-                    add(fmt::format("Rectangle/{}/{}", profile, name(fidelity)), scene, profile, method,
-                        fidelity, isRectangle);
-            }
+            const std::vector<Way> ways{{"gl", profile, method}, {"chip", profile, method, Fidelity::Chip}};
+            compare(fmt::format("Mask/{}/{}", scene, profile), scene, ways, isOfMask);
+            if (scene == "boxes") compare(fmt::format("Rectangle/{}", profile), scene, ways, isRectangle);
         }
-        add(fmt::format("Volumes/{}/stencil", scene), scene, "geforce2mx", "heidmann", Fidelity::Gl,
-            isVolume);
-        for (const Fidelity fidelity : {Fidelity::Gl, Fidelity::Chip})
-            add(fmt::format("Volumes/{}/alpha/{}", scene, name(fidelity)), scene, "geforce2mx",
-                "roettger-alpha", fidelity, isVolume);
+        compare(fmt::format("Volumes/{}", scene), scene,
+                {{"stencil", "geforce2mx", "heidmann"},
+                 {"alpha gl", "geforce2mx", "roettger-alpha"},
+                 {"alpha chip", "geforce2mx", "roettger-alpha", Fidelity::Chip}},
+                isVolume);
     }
     benchmark::RegisterBenchmark("Smoke", [](benchmark::State& state) {
         Easel alpha("boxes", "geforce2mx", "roettger-alpha", Fidelity::Chip, isVolume, 64);
         Easel screen("boxes", "voodoo2", "roettger-screen", Fidelity::Chip, isOfMask, 64);
         for ([[maybe_unused]] const auto _ : state)
-            if (alpha.draw() + screen.draw() <= 0)
-                state.SkipWithError("no pass is timed");
+            if (alpha.draw() + screen.draw() <= 0) state.SkipWithError("no pass is timed");
     })->Iterations(1);
 }
 
-/// Prints each ratio as the median of the repetitions' ratios, with the least and the greatest.
+/// Prints medians of the repetitions: times, and ratios with the least and the greatest.
 class RatioReporter : public benchmark::BenchmarkReporter {
   public:
     bool ReportContext(const Context&) override { return true; }
     void ReportRuns(const std::vector<Run>& runs) override {
-        for (const Run& run : runs)
-            if (run.run_type == Run::RT_Iteration && !run.error_occurred)
-                m_times[run.run_name.function_name].push_back(run.GetAdjustedRealTime());
+        for (const Run& run : runs) {
+            if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+            for (const auto& [counter, value] : run.counters)
+                m_values[run.run_name.function_name][counter].push_back(value);
+        }
     }
     void Finalize() override {
-        fmt::print("{:<28}{:>10}{:>10}  {:<24}{}\n", "", "ms", "beside ms", "ratio (min to max)", "bar");
-        for (const auto& [name, times] : m_times) {
-            const bool chip = name.ends_with("/chip");
-            if (name.starts_with("Volumes/") && !name.ends_with("stencil"))
-                row(name, name.substr(0, name.find("/alpha")) + "/stencil", chip ? "1.3" : "");
-            else if (chip)
-                row(name, name.substr(0, name.size() - 4) + "gl", "1.0");
+        fmt::print("{:<26}{:<11}{:>7}  {:<8}{:>7}  {:<22}{}\n", "", "", "ms", "beside", "ms",
+                   "ratio (min to max)", "bar");
+        for (auto& [name, counters] : m_values) {
+            const bool volumes = name.starts_with("Volumes");
+            const char* beside = volumes ? "stencil" : "gl";
+            for (auto& [counter, values] : counters) {
+                if (!counter.ends_with(" ratio")) continue;
+                const std::string way = counter.substr(0, counter.size() - 6);
+                const char* bar = way == "alpha gl" ? "" : volumes ? "1.3" : "1.0";
+                const auto [low, high] = std::minmax_element(values.begin(), values.end());
+                fmt::print("{:<26}{:<11}{:>7.2f}  {:<8}{:>7.2f}  {:<22}{}\n", name, way,
+                           median(counters[way]), beside, median(counters[beside]),
+                           fmt::format("{:.2f} ({:.2f} to {:.2f})", median(values), *low, *high), bar);
+            }
         }
         std::fflush(stdout);
     }
@@ -167,18 +188,7 @@ class RatioReporter : public benchmark::BenchmarkReporter {
         std::sort(values.begin(), values.end());
         return values[values.size() / 2];
     }
-    void row(const std::string& name, const std::string& other, const char* bar) const {
-        const auto beside = m_times.find(other);
-        if (beside == m_times.end()) return;
-        const std::vector<double>& times = m_times.at(name);
-        std::vector<double> ratios;
-        for (std::size_t i = 0; i < std::min(times.size(), beside->second.size()); ++i)
-            ratios.push_back(times[i] / beside->second[i]);
-        const auto [low, high] = std::minmax_element(ratios.begin(), ratios.end());
-        fmt::print("{:<28}{:>10.1f}{:>10.1f}  {:<24}{}\n", name, median(times), median(beside->second),
-                   fmt::format("{:.2f} ({:.2f} to {:.2f})", median(ratios), *low, *high), bar);
-    }
-    std::map<std::string, std::vector<double>> m_times{};
+    std::map<std::string, std::map<std::string, std::vector<double>>> m_values{};
 };
 
 }  // namespace
@@ -189,7 +199,7 @@ int main(int argc, char** argv) {
     const auto table = std::find_if(arguments.begin() + 1, arguments.end(),
                                     [](const char* argument) { return std::string(argument) == "--table"; });
     const bool asTable = table != arguments.end();
-    static std::string repetitions = "--benchmark_repetitions=9",
+    static std::string repetitions = "--benchmark_repetitions=7",
                        interleaved = "--benchmark_enable_random_interleaving=true",
                        noSmoke = "--benchmark_filter=-Smoke";
     if (asTable) {
