@@ -12,6 +12,7 @@
 #include "gl/blend_program.h"
 #include "gl/link_program.h"
 #include "gl/words.h"
+#include "profile/blend.h"
 #include "profile/pixel.h"
 
 namespace gnomon {
@@ -145,7 +146,8 @@ class Emulation {
     const GlTable gl;
 
   private:
-    bool isGs() const { return m_chip.unit == BlendUnit::Gs || m_chip.unit == BlendUnit::GsWrap; }
+    /// Alpha is 1 at 128, unlike in OpenGL's bytes.
+    bool isGs() const { return gnomon::isGs(m_chip.unit); }
 
     DitherMode ditherMode() const { return s.dither ? m_chip.dither : m_chip.undithered; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "profile/blend.h"
 #include "profile/pixel.h"
 
 namespace gnomon {
@@ -10,7 +11,7 @@ namespace {
 template <class Widen>
 std::vector<std::uint8_t> expanded(std::span<const std::uint32_t> words, const BufferFormat& format,
                                    const ChipArithmetic& chip, Widen widen) {
-    const bool isGs = chip.unit == BlendUnit::Gs || chip.unit == BlendUnit::GsWrap;
+    const bool gs = isGs(chip.unit);
     std::vector<std::uint8_t> bytes(4 * words.size());
     for (int c = 0; c < 4; ++c) {
         const int bits = channelBits(format, c), shift = channelShift(format, c);
@@ -18,7 +19,7 @@ std::vector<std::uint8_t> expanded(std::span<const std::uint32_t> words, const B
             int value = 255;
             if (bits > 0) {
                 const int code = int(words[i] >> shift & ((1u << bits) - 1));
-                value = c == 3 && isGs ? std::min(shifted(code, bits) * 255 / 128, 255) : widen(code, bits);
+                value = c == 3 && gs ? std::min(shifted(code, bits) * 255 / 128, 255) : widen(code, bits);
             }
             bytes[4 * i + std::size_t(c)] = std::uint8_t(value);
         }
@@ -35,8 +36,7 @@ std::vector<std::uint8_t> bytesOf(std::span<const std::uint32_t> words, const Bu
 
 std::vector<std::uint8_t> texelsOf(std::span<const std::uint32_t> words, const BufferFormat& format,
                                    const ChipArithmetic& chip) {
-    const bool shifts =
-        chip.unit == BlendUnit::Gs || chip.unit == BlendUnit::GsWrap || chip.unit == BlendUnit::Rdp;
+    const bool shifts = isGs(chip.unit) || chip.unit == BlendUnit::Rdp;
     return expanded(words, format, chip, [&](int code, int bits) {
         return shifts ? shifted(code, bits) : replicated(code, bits);
     });

@@ -10,8 +10,8 @@ namespace gnomon {
 /// "ALPHA A=Cd B=0 C=FIX D=Cd, FIX=0x80, COLCLAMP=1, FBMSK=0xFF000000, TEST ZTST=GEQUAL, ZMSK=1" on a
 /// PlayStation 2. Only what makes a mask is said: blending, write masks, tests.
 ///
-/// Empty for a clear, where the chip lacks something for the pass (missing() says what), for a stencil, and for
-/// chips whose words are OpenGL's, or unknown.
+/// Empty for a clear, where the chip lacks something for the pass (missing() says what), for a stencil, and
+/// for chips whose words are OpenGL's, or unknown.
 ///
 /// Source: hardware.md, sections 2.1 and 2.4 (Glide), 2.5 (PS2TEK), 2.6 (ENVY), 2.9 (REFSW, KOS), 2.10
 /// (ANGRY), 2.11 (PSXSPX), 2.12 (DOLPHIN), 2.14 (PPSSPP), 2.15 (86VIRGE).

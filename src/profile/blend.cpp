@@ -9,26 +9,6 @@ namespace {
 using Kind = Weight::Kind;
 using enum BlendOperation;
 
-bool isGs(BlendUnit unit) {
-    return unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
-}
-
-/// Whether @p factor is a colour, or a sum of alphas: the PS2 has neither.
-bool isBeyondGs(BlendFactor factor) {
-    switch (factor) {
-        case BlendFactor::SrcColor:
-        case BlendFactor::OneMinusSrcColor:
-        case BlendFactor::DstColor:
-        case BlendFactor::OneMinusDstColor:
-        case BlendFactor::SrcAlphaSaturate:
-        case BlendFactor::ConstantColor:
-        case BlendFactor::OneMinusConstantColor:
-            return true;
-        default:
-            return false;
-    }
-}
-
 bool has(BlendUnit unit, BlendOperation operation) {
     switch (unit) {
         case BlendUnit::IdealRound:
@@ -280,6 +260,21 @@ BlendOperation operationOf(BlendEquation equation) {
             return SignedReverseSubtract;
     }
     return Add;
+}
+
+bool isBeyondGs(BlendFactor factor) {
+    switch (factor) {
+        case BlendFactor::SrcColor:
+        case BlendFactor::OneMinusSrcColor:
+        case BlendFactor::DstColor:
+        case BlendFactor::OneMinusDstColor:
+        case BlendFactor::SrcAlphaSaturate:
+        case BlendFactor::ConstantColor:
+        case BlendFactor::OneMinusConstantColor:
+            return true;
+        default:
+            return false;
+    }
 }
 
 std::optional<int> blend(BlendUnit unit, const ChannelBlend& c) {

@@ -29,6 +29,13 @@ enum class BlendOperation : std::uint8_t {
 /// The operation that a profile calls @p equation.
 BlendOperation operationOf(BlendEquation equation);
 
+constexpr bool isGs(BlendUnit unit) {
+    return unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
+}
+
+/// Whether @p factor is a colour, or a sum of alphas: the PS2 has neither.
+bool isBeyondGs(BlendFactor factor);
+
 /// What one input is multiplied by: zero, one, value / unit, or 1 - value / unit. The kind matters: chips
 /// treat a factor of one otherwise than a value that happens to be largest.
 struct Weight {

@@ -200,7 +200,7 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
     };
     const auto index = [](int c) { return static_cast<std::size_t>(c); };
 
-    const bool isGs = frame.unit == BlendUnit::Gs || frame.unit == BlendUnit::GsWrap;
+    const bool gs = isGs(frame.unit);
 
     // Read
     Rgba entering = source, destination{};
@@ -208,7 +208,7 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
         entering[index(c)] = enteringSource(channelOf(c), source[index(c)]);
         destination[index(c)] = readBack(channelOf(c), codes[index(c)]);
     }
-    if (isGs)
+    if (gs)
         destination[kAlpha] = f.alpha == 0 ? 0x80 : shifted(codes[kAlpha], f.alpha);
     else
         destination[kAlpha] = f.alpha == 0 ? 255 : replicated(codes[kAlpha], f.alpha);
@@ -218,7 +218,7 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
     if (!result) return {};
     const bool wraps = state.operation == BlendOperation::AddWrap;
     (*result)[kAlpha] = finished(frame.unit, state.operation, (*result)[kAlpha]);
-    if (isGs) {
+    if (gs) {
         if (!gsDatePasses(frame.gs, codes[kAlpha], f.alpha)) return codes;
         if (!gsBlends(frame.gs.pabe, source[kAlpha])) result = entering;
         (*result)[kAlpha] = gsAlpha(frame.gs.fba, source[kAlpha]);
@@ -229,7 +229,7 @@ std::optional<Rgba> blendInto(const FrameState& frame, const BlendState& state, 
     for (int c = 0; c < kAlpha; ++c) out[index(c)] = stored(channelOf(c), (*result)[index(c)], wraps);
     out[kAlpha] = f.alpha == 0 ? 0 : truncated((*result)[kAlpha], f.alpha);
     if (frame.unit == BlendUnit::Ge) out[kAlpha] = codes[kAlpha];
-    if (isGs) {
+    if (gs) {
         const std::array widths{f.red, f.green, f.blue, f.alpha};
         for (std::size_t c = 0; c < out.size(); ++c)
             if (widths[c] > 0) out[c] = gsMasked(out[c], codes[c], truncated(frame.gs.mask[c], widths[c]));

