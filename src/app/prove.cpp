@@ -55,6 +55,7 @@ Lack lackOfAlpha(const Profile& profile) {
 /// What @p profile lacks of the blend factors that @p arithmetic asks of the colour channels or of alpha.
 Lack lackOf(const Profile& profile, bool alpha, MaskArithmetic arithmetic) {
     using enum BlendFactor;
+    if (!profile.depth) return {"a depth buffer", profile.sourceOf("depth_bits")};
     if (alpha)
         if (Lack lack = lackOfAlpha(profile); !lack.what.empty()) return lack;
 
@@ -184,6 +185,11 @@ void addRows(const Profile& profile, const std::string& store, MaskArithmetic ar
     for (const BlendUnit unit : units) {
         ProofRow row{.profile = profile.id, .store = store, .grade = grade};
         row.claim = {{.unit = unit}, arithmetic, order};
+        if (!profile.colourFormats.empty()) {
+            const ColourFormat& format = profile.colourFormats.front();
+            row.format = format.name;
+            row.claim.channel.bits = alpha ? format.alpha : format.red;
+        }
         const auto refuse = [&](const std::string& what, const std::string& source) {
             row.refused = what;
             row.source = source;

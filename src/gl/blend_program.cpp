@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <array>
+#include <stdexcept>
+
 #include "gl/blend_text.h"
 #include "gl/pixel_words.h"
 #include "gl/store_text.h"
@@ -110,6 +113,28 @@ bool storesOtherDepth(const BufferFormat& format, const ChipArithmetic& chip) {
     const bool native = format.stencil > 0 ? format.depth >= 24
                                            : format.depth == 16 || format.depth == 24 || format.depth == 32;
     return chip.depth != DepthEncoding::Linear || !native;
+}
+
+std::optional<std::string> blendUnitLacks(const BufferFormat& format, const ChipArithmetic& chip,
+                                          const Pass& pass) {
+    if (!pass.blend.enabled || pass.logicInvert || !pass.write.any() || pass.kind == PassKind::Clear)
+        return {};
+    EmulatedDraw draw{.format = format, .chip = chip, .channels = 0, .blends = true};
+    const std::array written{pass.write.red, pass.write.green, pass.write.blue, pass.write.alpha};
+    for (unsigned c = 0; c < 4; ++c)
+        if (written[c]) draw.channels |= 1u << c;
+    draw.source.fill(pass.blend.source), draw.destination.fill(pass.blend.destination);
+    draw.equation.fill(pass.blend.equation);
+    const bool isConstant = pass.kind != PassKind::Scene && pass.texture == MaskTexture::None;
+    draw.from = isConstant                     ? FragmentSource::Constant
+                : pass.kind == PassKind::Scene ? FragmentSource::Interpolated
+                                               : FragmentSource::TextureAll;
+    try {
+        fragmentProgram(draw);
+    } catch (const std::runtime_error& error) {
+        return error.what();
+    }
+    return {};
 }
 
 std::string vertexProgram(const EmulatedDraw& state) {

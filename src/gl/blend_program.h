@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "gl/emulated_draw.h"
+#include "plan/plan.h"
 
 namespace gnomon {
 
@@ -14,6 +16,11 @@ namespace gnomon {
 /// int alphaReference, sampler2D image.
 /// @throws std::runtime_error  the blend unit has no such setting
 std::string fragmentProgram(const EmulatedDraw& state);
+
+/// What of @p pass the chip's blend unit can't do, in one phrase; nothing if it can, or if the pass doesn't
+/// blend.
+std::optional<std::string> blendUnitLacks(const BufferFormat& format, const ChipArithmetic& chip,
+                                          const Pass& pass);
 
 /// The vertex program that goes with it; empty: OpenGL's own.
 std::string vertexProgram(const EmulatedDraw& state);

@@ -256,8 +256,9 @@ std::string fixedSetting(const EmulatedDraw& state, int c, const Factor& f, cons
 
 void refuseSetting(const EmulatedDraw& state, int c, const char* what) {
     const auto side = std::size_t(c == kAlpha);
-    throw std::runtime_error(fmt::format("{}: blend unit {} has no {} {}", what, name(state.chip.unit),
-                                         name(state.source[side]), name(state.destination[side])));
+    throw std::runtime_error(fmt::format("blend {} {} by equation {} in the blend unit {}",
+                                         name(state.source[side]), name(state.destination[side]), what,
+                                         name(state.chip.unit)));
 }
 
 std::string blendText(const EmulatedDraw& state, int c) {
@@ -267,6 +268,9 @@ std::string blendText(const EmulatedDraw& state, int c) {
     const std::string s = fmt::format("s{}", c), d = fmt::format("d{}", c);
     if (isGs(unit) && c == kAlpha) return s;
     if (unit == BlendUnit::Ge && c == kAlpha) return d;
+    const bool wrapsAtGl = state.chip.fidelity == Fidelity::Gl && equation == BlendEquation::AddWrap;
+    if (!wrapsAtGl && !hasOperation(unit, operationOf(equation)))
+        refuseSetting(state, c, name(equation).c_str());
     if (equation == BlendEquation::Min) return fmt::format("min({}, {})", s, d);
     if (equation == BlendEquation::Max) return fmt::format("max({}, {})", s, d);
     if (equation == BlendEquation::SignedAdd || equation == BlendEquation::SignedReverseSubtract) {

@@ -262,16 +262,17 @@ class Emulation {
     }
 
     void useProgramFor(const EmulatedDraw& state) {
-        auto [at, isNew] = m_programs.try_emplace(state);
-        if (isNew) {
+        auto at = m_programs.find(state);
+        if (at == m_programs.end()) {
             const std::string vertex = vertexProgram(state), fragment = fragmentProgram(state);
             std::vector<ShaderStage> stages{{GL_FRAGMENT_SHADER, fragment.c_str()}};
             if (!vertex.empty()) stages.push_back({GL_VERTEX_SHADER, vertex.c_str()});
-            Linked& made = at->second;
+            Linked made;
             made.program = linkProgram(gl, "of a chip's blend unit", stages);
             made.source = gl.GetUniformLocation(made.program, "constantSource");
             made.blendColour = gl.GetUniformLocation(made.program, "blendColour");
             made.reference = gl.GetUniformLocation(made.program, "alphaReference");
+            at = m_programs.emplace(state, made).first;
         }
         const Linked& linked = at->second;
         useProgram(linked.program);
@@ -349,7 +350,7 @@ bool needsEmulation(const BufferFormat& format, const ChipArithmetic& chip) {
     const bool has565 = format.red == 5 && format.green == 6 && format.blue == 5 && format.alpha == 0;
     const bool has8888 = format.red == 8 && format.green == 8 && format.blue == 8 && format.alpha == 8;
     return chip.fidelity == Fidelity::Chip || chip.wraps || !(has565 || has8888) ||
-           storesOtherDepth(format, chip);
+           storesOtherDepth(format, chip) || (format.stencil != 0 && format.stencil != 8);
 }
 
 GlTable emulate(const BufferFormat& format, const ChipArithmetic& chip, int width, int height,

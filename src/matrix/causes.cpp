@@ -72,13 +72,18 @@ class FaceCounter {
 std::vector<bool> limitedMask(const CauseInputs& in, int range) {
     const bool behind = in.axes.count == Count::Zfail;
     FaceCounter counter(in.view, in.surfaces, in.depthBits);
+    // Fewer than 8 bits end at 0, which no doubling leaves; 8 bits round 1/2 up to 1 again.
+    const bool endsAtZero = in.axes.arithmetic == Arithmetic::Halve && in.maskBits < 8;
+    constexpr int kForEver = 1 << 20;
     std::vector<int> steps(std::size_t(in.view.width) * in.view.height);
     for (std::size_t v = 0; v < in.volumes.size(); ++v) {
         const FaceCounts faces = counter.count(in.volumes, v, behind);
         const auto &entries = behind ? faces.backs : faces.fronts,
                    &exits = behind ? faces.fronts : faces.backs;
-        for (std::size_t i = 0; i < steps.size(); ++i)
-            steps[i] = std::min(steps[i] + entries[i], range) - exits[i];
+        for (std::size_t i = 0; i < steps.size(); ++i) {
+            const bool lost = endsAtZero && (steps[i] == kForEver || steps[i] + entries[i] > range);
+            steps[i] = lost ? kForEver : std::min(steps[i] + entries[i], range) - exits[i];
+        }
     }
     std::vector<bool> shadow(steps.size());
     std::transform(steps.begin(), steps.end(), shadow.begin(), [](int s) { return s > 0; });

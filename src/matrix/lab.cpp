@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "gl/blend_program.h"
 #include "gl/capability.h"
 #include "matrix/causes.h"
 #include "volume/blockers.h"
@@ -231,9 +232,9 @@ struct Lab::Impl {
     }
 
     /// Sums that wrap are emulated for plans that have them, so that all others are OpenGL's alone.
-    Surface& contextOf(const Profile& profile, const Plan& plan) {
+    Surface& contextOf(const Profile& profile, const Plan& plan, const FidelityChoice& choice) {
         const BufferFormat format = bufferFormatOf(profile);
-        ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        ChipArithmetic chip = arithmeticOf(profile, choice);
         chip.wraps = chip.wraps && std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
                          return pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap;
                      });
@@ -252,7 +253,8 @@ struct Lab::Impl {
             };
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
-                at->second = render(contextOf(profile, plan), profile, plan, surfacesOf(), frames).cpuMs;
+                at->second =
+                    render(contextOf(profile, plan, fidelity), profile, plan, surfacesOf(), frames).cpuMs;
         }
         return at->second;
     }
@@ -290,6 +292,15 @@ struct Lab::Impl {
     /// What the chip lacks, and what the silhouette's builder can't take.
     std::vector<Missing> missingOf(const Profile& profile, const Axes& axes, const Plan& plan) {
         std::vector<Missing> all = missing(profile, plan);
+        if (all.empty() && fidelity.fidelity == Fidelity::Chip) {
+            const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+            for (const Pass& pass : plan.passes) {
+                const auto what = blendUnitLacks(bufferFormatOf(profile), chip, pass);
+                if (!what) continue;
+                all.push_back({"blend_units", *what, profile.sourceOf("blend_units")});
+                break;
+            }
+        }
         if (axes.store == Store::None || axes.store == Store::DepthMap) return all;
         auto [at, isNew] = refusals.try_emplace({axes.silhouette, axes.capFaces});
         if (isNew) at->second = refusal(scene, axes.silhouette, axes.capFaces);
@@ -304,7 +315,7 @@ struct Lab::Impl {
               const std::function<void(Surface&, std::size_t)>& afterPass) {
         const BufferFormat format = bufferFormatOf(profile);
         cell.unshadowedMs = unshadowedMs(profile);
-        Surface& surface = contextOf(profile, plan);
+        Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
@@ -323,9 +334,7 @@ struct Lab::Impl {
         // What OpenGL's own arithmetic makes of it, should anyone ask.
         openGlMasks.reset();
         drawnByOpenGl = [&] {
-            const FidelityChoice kept = std::exchange(fidelity, {});
-            Rendered other = render(contextOf(profile, plan), profile, plan, surfacesOf(), frames);
-            fidelity = kept;
+            Rendered other = render(contextOf(profile, plan, {}), profile, plan, surfacesOf(), frames);
             other.masks.resize(std::size_t(lights()), other.masks.front());
             return std::move(other.masks);
         };

@@ -185,12 +185,13 @@ Terms rdpBlend(const Pass& pass) {
     };
     const bool wraps = pass.blend.equation == BlendEquation::AddWrap;
     if (wraps && draws(pass, One, One) && isConstant(pass))
-        return {{force("blend colour", "1", "1"), fmt::format("blend colour {}", scaled(pass.colour.r))}};
-    if (wraps && draws(pass, One, One)) return {{force("pixel", "1", "1")}};
+        return {{force("blend colour", "fog alpha 255", "1"),
+                 fmt::format("blend colour {}", scaled(pass.colour.r))}};
+    if (wraps && draws(pass, One, One)) return {{force("pixel", "fog alpha 255", "1")}};
     if (pass.blend.equation != BlendEquation::Add) return std::nullopt;
     if (draws(pass, SrcAlpha, OneMinusSrcAlpha)) return {{force("pixel", "pixel alpha", "1-A")}};
     if (draws(pass, DstColor, One) && isConstant(pass) && pass.colour.r == 1)
-        return {{force("memory", "1", "1")}};
+        return {{force("memory", "fog alpha 255", "1")}};
     if (const auto scale = constantScale(pass)) {
         // b + 1 = 32 - a is the share that is kept.
         const int a = 32 - scaled(*scale, 32);

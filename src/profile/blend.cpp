@@ -9,31 +9,6 @@ namespace {
 using Kind = Weight::Kind;
 using enum BlendOperation;
 
-bool has(BlendUnit unit, BlendOperation operation) {
-    switch (unit) {
-        case BlendUnit::IdealRound:
-        case BlendUnit::IdealFloor:
-            return operation <= Max || operation == AddWrap;
-        case BlendUnit::ProductsRound:
-        case BlendUnit::ProductsFloor:
-            return operation <= Max;
-        case BlendUnit::Nv2a:
-            return operation <= SignedReverseSubtract;
-        case BlendUnit::Ge:
-            return operation <= Max || operation == AbsoluteDifference;
-        case BlendUnit::Gs:
-        case BlendUnit::GsWrap:
-            return operation <= ReverseSubtract || operation == AddWrap;
-        case BlendUnit::Rdp:
-            return operation == Add || operation == AddWrap;
-        case BlendUnit::Flipper:
-        case BlendUnit::Psx:
-            return operation == Add || operation == ReverseSubtract;
-        default:
-            return operation == Add;
-    }
-}
-
 /// value * weight.numerator / weight.denominator.
 struct Ratio {
     std::int64_t numerator = 0, denominator = 1;
@@ -262,6 +237,31 @@ BlendOperation operationOf(BlendEquation equation) {
     return Add;
 }
 
+bool hasOperation(BlendUnit unit, BlendOperation operation) {
+    switch (unit) {
+        case BlendUnit::IdealRound:
+        case BlendUnit::IdealFloor:
+            return operation <= Max || operation == AddWrap;
+        case BlendUnit::ProductsRound:
+        case BlendUnit::ProductsFloor:
+            return operation <= Max;
+        case BlendUnit::Nv2a:
+            return operation <= SignedReverseSubtract;
+        case BlendUnit::Ge:
+            return operation <= Max || operation == AbsoluteDifference;
+        case BlendUnit::Gs:
+        case BlendUnit::GsWrap:
+            return operation <= ReverseSubtract || operation == AddWrap;
+        case BlendUnit::Rdp:
+            return operation == Add || operation == AddWrap;
+        case BlendUnit::Flipper:
+        case BlendUnit::Psx:
+            return operation == Add || operation == ReverseSubtract;
+        default:
+            return operation == Add;
+    }
+}
+
 bool isBeyondGs(BlendFactor factor) {
     switch (factor) {
         case BlendFactor::SrcColor:
@@ -289,7 +289,7 @@ int finished(BlendUnit unit, BlendOperation operation, int sum, int most) {
 }
 
 std::optional<int> blendUnclamped(BlendUnit unit, const ChannelBlend& c) {
-    if (!has(unit, c.operation)) return {};
+    if (!hasOperation(unit, c.operation)) return {};
     if (c.operation == Min) return std::min(c.source, c.destination);
     if (c.operation == Max) return std::max(c.source, c.destination);
     if (c.operation == AbsoluteDifference) return std::abs(c.source - c.destination);

@@ -26,6 +26,9 @@ enum class BlendOperation : std::uint8_t {
     AddWrap,                ///< the sum's low bits: PS2 with COLCLAMP 0, N64's forced blend
 };
 
+/// Whether @p unit has @p operation, for whichever factors.
+bool hasOperation(BlendUnit unit, BlendOperation operation);
+
 /// The operation that a profile calls @p equation.
 BlendOperation operationOf(BlendEquation equation);
 

@@ -64,6 +64,8 @@ std::vector<Contradiction> contradictions(const Profile& p) {
     rules.needs(p.alphaExcludesDepth, "alpha_excludes_depth", p.depth, "depth_bits");
     rules.needs(p.depth, "depth_bits", !p.depthFunctions.empty(), "depth_functions");
     rules.needs(!p.depthFunctions.empty(), "depth_functions", p.depth, "depth_bits");
+    rules.forbid(p.depth && !p.depthBits.empty() && p.depthBits.front() > 24, "depth_bits",
+                 "depth_bits: gnomon renders into the first, and has 24 bits at most");
     rules.needs(!p.depthEncodings.empty(), "depth_encodings", p.depth, "depth_bits");
     rules.needs(p.stencilWrap, "stencil_wrap", p.stencilBits > 0, "stencil_bits");
     rules.needs(p.geometryShaders, "geometry_shaders", p.shaders, "shaders");

@@ -196,7 +196,7 @@ const std::vector<Field>& fields() {
         {"depth_encodings", wordsInOrder(&Profile::depthEncodings)},
         {"depth_functions", words(&Profile::depthFunctions)},
         {"alpha_functions", words(&Profile::alphaFunctions)},
-        {"stencil_bits", whole(&Profile::stencilBits, 16)},
+        {"stencil_bits", whole(&Profile::stencilBits, 8)},
         {"stencil_wrap", yesOrNo(&Profile::stencilWrap)},
         {"two_sided_stencil", yesOrNo(&Profile::twoSidedStencil)},
         {"source_factors", words(&Profile::sourceFactors)},
@@ -312,6 +312,7 @@ Claim readFact(const std::string& file, const std::string& key, const toml::node
             if (part == "source") {
                 claim.text = Value{file, key + "'s source", *content}.text();
                 claim.line = lineOf(*content);
+                if (claim.text.empty()) fail(file, claim.line, key + "'s source is empty");
             }
             if (part == "also") also = Value{file, key + "'s also", *content}.text();
             if (part == "grade") {

@@ -26,10 +26,12 @@ constexpr int rounded(int value, int bits) {
     return (2 * value * largestCode(bits) + 255) / 510;
 }
 
-/// Widens by repeating the high bits: 3dfx, ViRGE, Flipper. Sections 2.1 (86V, MAME), 2.12, 2.15.
-/// @pre bits is 1 or 4 to 8
+/// Widens by repeating the bits from the highest on: 3dfx, ViRGE, Flipper. Sections 2.1 (86V,
+/// MAME), 2.12, 2.15.
 constexpr int replicated(int code, int bits) {
-    return bits == 1 ? 255 * code : (code << (8 - bits)) | (code >> (2 * bits - 8));
+    int value = code << (8 - bits);
+    for (int filled = bits; filled < 8; filled *= 2) value |= value >> filled;
+    return value;
 }
 
 /// Widens by low bits of zero: PS2, N64, NV2A's blend unit. Sections 2.5 (PGS, PCSX2), 2.10 (ANGRY); nv2a.md.

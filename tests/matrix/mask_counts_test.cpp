@@ -129,6 +129,46 @@ TEST(DeepNests, ClampAMaskOf5Bits) {
     }
 }
 
+// Fewer than 8 bits end at 0, from which doubling doesn't come back.
+TEST(HalvedMask, Of5BitsUnderflowsOnAKnot) {
+    Lab lab(shippedScene("knot"));
+    const Cell cell = lab.run(fewBits(), method("roettger-screen-max"), kWidth, kHeight, 0);
+    EXPECT_EQ(cell.verdict, Verdict::Wrong);
+    EXPECT_THAT(cell.causes, testing::ElementsAre(testing::Key("mask underflows")));
+}
+
+TEST(ChipsArithmetic, RefusesWhatItsBlendUnitHasNot) {
+    Lab lab(shippedScene("boxes"));
+    FidelityChoice choice{.fidelity = Fidelity::Chip};
+    lab.use(choice);
+    const Cell refused = lab.run(chip("vsa100-16"), method("screen-count"), kWidth, kHeight, 0);
+    EXPECT_EQ(refused.verdict, Verdict::Refused);
+    ASSERT_EQ(refused.missing.size(), 1u);
+    EXPECT_EQ(refused.missing[0].key, "blend_units");
+    EXPECT_EQ(refused.missing[0].what,
+              "blend one one by equation reverse_subtract in the blend unit voodoo_mame");
+    choice.unit = BlendUnit::ProductsRound;
+    lab.use(choice);
+    const Cell drawn = lab.run(chip("vsa100-16"), method("screen-count"), kWidth, kHeight, 0);
+    EXPECT_THAT(drawn.causes, testing::Contains(testing::Key("dither drift")))
+        << "it dithers whether one likes it or not";
+    lab.use({});
+    EXPECT_EQ(lab.run(chip("vsa100-16"), method("screen-count"), kWidth, kHeight, 0).verdict, Verdict::Exact);
+}
+
+TEST(ChipsArithmetic, NamesRoundingAndDitherWhereOpenGlIsRight) {
+    Lab lab(shippedScene("boxes"));
+    lab.use({.fidelity = Fidelity::Chip});
+    const Cell rounded = lab.run(chip("xbox-565"), method("roettger-screen"), kWidth, kHeight, 0);
+    EXPECT_EQ(rounded.fidelity, "chip");
+    EXPECT_THAT(rounded.causes, testing::ElementsAre(testing::Key("rounding residue")));
+    EXPECT_EQ(lab.run(chip("voodoo2"), method("roettger-screen"), kWidth, kHeight, 0).verdict,
+              Verdict::Exact);
+    lab.use({.fidelity = Fidelity::Chip, .dithers = true});
+    const Cell dithered = lab.run(chip("voodoo2"), method("roettger-screen"), kWidth, kHeight, 0);
+    EXPECT_THAT(dithered.causes, testing::ElementsAre(testing::Key("dither drift")));
+}
+
 TEST(DeepNests, WrapAMaskOf5Bits) {
     const Axes axes = overflowing("screen-count", Overflow::Wrap);
     Lab fits(nest(26, 5)), tooDeep(nest(0, 32));

@@ -171,9 +171,9 @@ TEST(ChipTerms, OfAnN64SayForceBlendAndItsColour) {
     const Profile n64 = chipOf(BlendUnit::Rdp, k5551);
     const std::string rest = ", dither off, antialiasing off, z compare, mode opaque, z update off";
     EXPECT_EQ(chipTerms(stepOf(17, BlendEquation::AddWrap), n64),
-              "force blend, P=blend colour A=1 M=memory B=1, blend colour 17" + rest);
+              "force blend, P=blend colour A=fog alpha 255 M=memory B=1, blend colour 17" + rest);
     EXPECT_EQ(chipTerms(stepOf(248, BlendEquation::AddWrap), n64),
-              "force blend, P=blend colour A=1 M=memory B=1, blend colour 248" + rest);
+              "force blend, P=blend colour A=fog alpha 255 M=memory B=1, blend colour 248" + rest);
     EXPECT_EQ(chipTerms(volumeWith(DstColor, Zero, kHalf), n64),
               "force blend, P=blend colour A=pixel alpha M=memory B=1-A, blend colour 0, alpha 128" + rest);
     EXPECT_EQ(chipTerms({.kind = PassKind::Scene, .depthTest = true, .depthWrite = true}, n64),

@@ -380,6 +380,10 @@ INSTANTIATE_TEST_SUITE_P(
               ":3: unknown word \"bit\" in write_mask (known: fixed, group, channel)"},
         Fault{"FrameTexture", "frame_texture = \"bus\"\n",
               ":3: unknown word \"bus\" in frame_texture (known: none, host, copy, direct)"},
+        Fault{"EmptySource", "culling = { value = true, source = \"\" }\n", ":3: culling's source is empty"},
+        Fault{"DeepestFirst", "depth_bits = [32]\ndepth_functions = [\"less\"]\n",
+              ":3: depth_bits: gnomon renders into the first, and has 24 bits at most"},
+        Fault{"StencilOf16Bits", "stencil_bits = 16\n", ":3: stencil_bits = 16 is outside 0 to 8"},
         Fault{"Equation", "blend_equations = [\n\"add\",\n\"sub\"]\n",
               ":5: unknown word \"sub\" in blend_equations (known: add, subtract, reverse_subtract, min, "
               "max, add_wrap, signed_add, signed_reverse_subtract)"},
@@ -400,7 +404,7 @@ INSTANTIATE_TEST_SUITE_P(
     Numbers, FaultyProfile,
     testing::Values(
         Fault{"Negative", "alpha_bits = -8\n", ":3: alpha_bits = -8 is outside 0 to 16"},
-        Fault{"Absurd", "stencil_bits = 256\n", ":3: stencil_bits = 256 is outside 0 to 16"},
+        Fault{"Absurd", "stencil_bits = 256\n", ":3: stencil_bits = 256 is outside 0 to 8"},
         Fault{"BeyondInt", "max_width = 5000000000\n", ":3: max_width = 5000000000 is outside 0 to 65536"},
         Fault{"DepthOfZeroBits", "depth_bits = [16,\n0]\n", ":4: depth_bits = 0 is outside 1 to 32"},
         Fault{"NegativeRate", "gigabytes_per_second = -0.5\n",
