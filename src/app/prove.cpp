@@ -55,7 +55,11 @@ Lack lackOfAlpha(const Profile& profile) {
 /// What @p profile lacks of the blend factors that @p arithmetic asks of the colour channels or of alpha.
 Lack lackOf(const Profile& profile, bool alpha, MaskArithmetic arithmetic) {
     using enum BlendFactor;
-    if (!profile.depth) return {"a depth buffer", profile.sourceOf("depth_bits")};
+    // A profile that says so; one that says nothing of depth is of arithmetic alone.
+    const bool saysNoDepth = std::any_of(profile.facts.begin(), profile.facts.end(), [&](const auto& fact) {
+        return fact.key == "depth_bits" && !profile.depth;
+    });
+    if (saysNoDepth) return {"a depth buffer", profile.sourceOf("depth_bits")};
     if (alpha)
         if (Lack lack = lackOfAlpha(profile); !lack.what.empty()) return lack;
 

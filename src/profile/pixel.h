@@ -30,7 +30,7 @@ constexpr int rounded(int value, int bits) {
 /// MAME), 2.12, 2.15.
 constexpr int replicated(int code, int bits) {
     int value = code << (8 - bits);
-    for (int filled = bits; filled < 8; filled *= 2) value |= value >> filled;
+    for (int filled = bits; filled > 0 && filled < 8; filled *= 2) value |= value >> filled;
     return value;
 }
 

@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array kBits{1, 4, 5, 6, 7, 8};
+constexpr std::array kBits{1, 2, 3, 4, 5, 6, 7, 8};
 
 TEST(Pixel, StoresWhatItReads) {
     for (const int bits : kBits)
@@ -22,6 +22,10 @@ TEST(Pixel, StoresWhatItReads) {
             EXPECT_EQ(truncated(shifted(code, bits), bits), code) << bits;
             EXPECT_EQ(rounded(replicated(code, bits), bits), code) << bits;
         }
+}
+
+TEST(Pixel, OfNoBitsIsZero) {
+    EXPECT_EQ(replicated(0, 0), 0);
 }
 
 // The definition of replication: the code again and again, and of these bits the highest eight.
