@@ -26,7 +26,7 @@ bool equationIsOpenGls(GLenum equation) {
 
 /// What the caller has set, as far as it decides how a draw is done.
 struct CallerState {
-    bool blend = false, invert = false, dither = false;
+    bool blend = false, logicOps = false, dither = false;
     bool depthTest = false, stencilTest = false, alphaTest = false, cull = false, texture = false;
     bool depthWrite = true;
     std::array<BlendFactor, 2> source{BlendFactor::One, BlendFactor::One};
@@ -45,7 +45,7 @@ struct CallerState {
 
 /// What the driver was told last of the state that the emulation decides.
 struct DriverState {
-    bool blend = false, invert = false, alphaTest = false;
+    bool blend = false, logicOps = false, alphaTest = false;
     std::array<bool, 4> write{true, true, true, true};
     GLuint program = 0;
     GLuint framebuffer = 0;
@@ -69,9 +69,11 @@ class Emulation {
         if (!otherDepth && (channels == 0 || storesAsOpenGl(channels))) return plain(m_bytes);
         if (s.program != 0)
             throw std::runtime_error("a program of the caller's under the chip's own arithmetic");
+        if (channels != 0 && s.logicOps && s.logicOp != GL_INVERT && s.logicOp != GL_COPY)
+            throw std::runtime_error("of logic operations on emulated pixels only GL_COPY and GL_INVERT");
         useProgramFor(stateFor(channels, otherDepth));
         set(m_driverState.blend, false, GL_BLEND);
-        set(m_driverState.invert, false, GL_COLOR_LOGIC_OP);
+        set(m_driverState.logicOps, false, GL_COLOR_LOGIC_OP);
         set(m_driverState.alphaTest, false, GL_ALPHA_TEST);
         mask({channels != 0, channels != 0, channels != 0, channels != 0});
         bind(m_words);
@@ -160,8 +162,7 @@ class Emulation {
     /// Whether OpenGL's own store gives what the chip's would for the state as it is.
     bool storesAsOpenGl(unsigned channels) const {
         if (!isBytes() || (isGs() && (channels & 8)) || dithers(ditherMode(), 8)) return false;
-        if (s.invert && s.logicOp == GL_INVERT) return true;
-        if (!s.blend) return true;
+        if (s.logicOps || !s.blend) return true;  // a logic operation takes the place of blending
         const bool openGls = s.equation[0] < BlendEquation::AddWrap && s.equation[1] < BlendEquation::AddWrap;
         return m_chip.fidelity == Fidelity::Gl && openGls;
     }
@@ -216,8 +217,8 @@ class Emulation {
     void plain(GLuint framebuffer) {
         bind(framebuffer);
         useProgram(s.program);
-        set(m_driverState.blend, s.blend && !s.invert, GL_BLEND);
-        set(m_driverState.invert, s.invert, GL_COLOR_LOGIC_OP);
+        set(m_driverState.blend, s.blend && !s.logicOps, GL_BLEND);
+        set(m_driverState.logicOps, s.logicOps, GL_COLOR_LOGIC_OP);
         set(m_driverState.alphaTest, s.alphaTest, GL_ALPHA_TEST);
         mask(s.write);
     }
@@ -227,8 +228,8 @@ class Emulation {
                            .chip = m_chip,
                            .dither = ditherMode(),
                            .channels = channels,
-                           .blends = s.blend && !s.invert,
-                           .inverts = s.invert && s.logicOp == GL_INVERT,
+                           .blends = s.blend && !s.logicOps,
+                           .inverts = s.logicOps && s.logicOp == GL_INVERT,
                            .writesDepth = otherDepth,
                            .rows = m_height};
         if (state.blends)
@@ -287,7 +288,7 @@ class Emulation {
     /// the chips do.
     void clearWords() {
         CallerState kept = s;
-        s.blend = s.invert = s.alphaTest = s.texture = s.colourArray = false;
+        s.blend = s.logicOps = s.alphaTest = s.texture = s.colourArray = false;
         s.depthTest = s.depthWrite = false;
         s.program = 0;
         s.colour = s.clearColour;
@@ -383,7 +384,7 @@ GlTable emulate(const BufferFormat& format, const ChipArithmetic& chip, int widt
                 s.blend = on;
                 return;
             case GL_COLOR_LOGIC_OP:
-                s.invert = on;
+                s.logicOps = on;
                 return;
             case GL_ALPHA_TEST:
                 s.alphaTest = on;

@@ -182,6 +182,18 @@ TEST(EmulatedFrame, InvertsByLogicOperation) {
     }
 }
 
+TEST(EmulatedFrame, RefusesOtherLogicOperationsOnWords) {
+    Surface surface(k5551, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Flipper});
+    const GlTable& gl = surface.driver();
+    gl.Enable(GL_COLOR_LOGIC_OP);
+    gl.LogicOp(GL_XOR);
+    EXPECT_THROW(fill(gl), std::runtime_error);
+    gl.LogicOp(GL_COPY);
+    colour(gl, 0xff);
+    fill(gl);
+    EXPECT_EQ(pixel(gl)[0], 255);
+}
+
 TEST(EmulatedFrame, TestsAlphaBeforeItBlends) {
     Surface surface(k565, kSide, kSide, kVoodoo);
     const GlTable& gl = surface.driver();

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#include "gl/capability.h"
 #include "gl/table.h"
 
 namespace gnomon {
@@ -82,5 +84,18 @@ class FakeDriver {
 
     std::shared_ptr<std::vector<std::string>> m_calls = std::make_shared<std::vector<std::string>>();
 };
+
+/// Calls of a test.
+using Calls = std::function<void(const GlTable&)>;
+
+/// What @p calls threw.
+inline std::optional<CapabilityViolation> violationOf(const std::function<void()>& calls) {
+    try {
+        calls();
+    } catch (const CapabilityViolation& violation) {
+        return violation;
+    }
+    return std::nullopt;
+}
 
 }  // namespace gnomon

@@ -22,15 +22,6 @@ using testing::SizeIs;
 
 constexpr int kWidth = 96, kHeight = 72;
 
-/// "exact 0/0", or what is wrong with the cell.
-std::string resultOf(const Cell& cell) {
-    std::string text = name(cell.verdict) + " " + std::to_string(cell.wrongEdge) + "/" +
-                       std::to_string(cell.wrongInterior) + cell.error;
-    for (const auto& [cause, pixels] : cell.causes) text += ", " + cause + ": " + std::to_string(pixels);
-    for (const Missing& m : cell.missing) text += ", lacks " + m.what;
-    return text;
-}
-
 const Profile& ideal() {
     static const Profile profile = chip("ideal");
     return profile;

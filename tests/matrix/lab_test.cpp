@@ -27,15 +27,6 @@ using testing::SizeIs;
 
 const std::filesystem::path kData = std::filesystem::path(GNOMON_SHARED) / "data";
 
-/// A cell's verdict, wrong pixels and causes, as tests print it.
-std::string resultOf(const Cell& cell) {
-    std::string text = name(cell.verdict) + " " + std::to_string(cell.wrongEdge) + "/" +
-                       std::to_string(cell.wrongInterior) + cell.error;
-    for (const auto& [cause, pixels] : cell.causes) text += ", " + cause + ": " + std::to_string(pixels);
-    for (const Missing& m : cell.missing) text += ", lacks " + m.what;
-    return text;
-}
-
 std::vector<std::string> lacks(const Cell& cell) {
     std::vector<std::string> whats;
     for (const Missing& m : cell.missing) whats.push_back(m.what);

@@ -16,14 +16,6 @@ using testing::Pair;
 
 constexpr int kWidth = 96, kHeight = 72;
 
-std::string resultOf(const Cell& cell) {
-    std::string text = name(cell.verdict) + " " + std::to_string(cell.wrongEdge) + "/" +
-                       std::to_string(cell.wrongInterior) + cell.error;
-    for (const auto& [cause, pixels] : cell.causes) text += ", " + cause + ": " + std::to_string(pixels);
-    for (const Missing& m : cell.missing) text += ", lacks " + m.what;
-    return text;
-}
-
 /// The counts in colour and alpha, from all starts and with all overflows that are drawn.
 std::vector<Axes> maskCounts() {
     std::vector<Axes> all;

@@ -35,4 +35,13 @@ inline Axes with(Axes axes, Count count) {
     return axes;
 }
 
+/// "exact 0/0", or what is wrong with the cell.
+inline std::string resultOf(const Cell& cell) {
+    std::string text = name(cell.verdict) + " " + std::to_string(cell.wrongEdge) + "/" +
+                       std::to_string(cell.wrongInterior) + cell.error;
+    for (const auto& [cause, pixels] : cell.causes) text += ", " + cause + ": " + std::to_string(pixels);
+    for (const Missing& m : cell.missing) text += ", lacks " + m.what;
+    return text;
+}
+
 }  // namespace gnomon
