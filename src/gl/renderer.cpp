@@ -33,13 +33,6 @@ Image readPixels(Surface& surface, GLenum format, int channels) {
     return image;
 }
 
-std::vector<bool> belowThreshold(const Image& image, int channel, double threshold) {
-    std::vector<bool> shadow(std::size_t(image.width) * image.height);
-    for (std::size_t i = 0; i < shadow.size(); ++i)
-        shadow[i] = image.data[i * image.channels + channel] < threshold * 255;
-    return shadow;
-}
-
 /// A texture that the frame or a mask was copied to.
 struct CopiedTexture {
     GLuint name = 0;
@@ -403,33 +396,25 @@ void resetState(const GlTable& gl) {
     gl.EnableClientState(GL_VERTEX_ARRAY);
 }
 
-/// Red and green hold a count of 16 bits; anything but 0 is a shadow.
-std::vector<bool> countedShadows(const Image& image) {
-    std::vector<bool> shadow(std::size_t(image.width) * image.height);
-    for (std::size_t i = 0; i < shadow.size(); ++i)
-        shadow[i] = image.data[i * image.channels] != 0 || image.data[i * image.channels + 1] != 0;
-    return shadow;
+using MaskValues = std::vector<std::uint16_t>;
+
+MaskValues channelOf(const Image& image, int channel) {
+    MaskValues values(std::size_t(image.width) * image.height);
+    for (std::size_t i = 0; i < values.size(); ++i) values[i] = image.data[i * image.channels + channel];
+    return values;
 }
 
-/// Stencil values that differ from @p reference are shadows.
-std::vector<bool> stencilledShadows(const Image& stencil, int reference) {
-    std::vector<bool> shadow(stencil.data.size());
-    for (std::size_t i = 0; i < shadow.size(); ++i) shadow[i] = stencil.data[i] != reference;
-    return shadow;
-}
-
-/// Values that pass @p test are shadows.
-std::vector<bool> testedShadows(const Image& image, int channel, const AlphaTest& test) {
-    std::vector<bool> shadow(std::size_t(image.width) * image.height);
-    for (std::size_t i = 0; i < shadow.size(); ++i)
-        shadow[i] = passes(test.function, image.data[i * image.channels + channel], test.reference * 255);
-    return shadow;
+/// Red and green hold a count of 16 bits.
+MaskValues countsOf(const Image& image) {
+    MaskValues values(std::size_t(image.width) * image.height);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = std::uint16_t(image.data[i * image.channels] + 256 * image.data[i * image.channels + 1]);
+    return values;
 }
 
 /// The mask as it went over the scene: its texture over the whole window, by itself. The window's colours
 /// wait in another texture meanwhile.
-std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, const MaskTap& tap,
-                                  PassRunner& runner) {
+MaskValues readMaskTexture(Surface& surface, const Plan& plan, PassRunner& runner) {
     const GlTable& gl = surface.driver();
     runner.defaultState();
     resetState(gl);
@@ -445,32 +430,29 @@ std::vector<bool> readMaskTexture(Surface& surface, const Plan& plan, const Mask
     const bool inAlpha = std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
         return pass.kind == PassKind::Copy && pass.texture == MaskTexture::Alpha;
     });
-    const Image mask = readColour(surface, inAlpha);
-    const int channel = inAlpha ? 3 : 0;
-    auto shadow = tap.alphaTest.enabled ? testedShadows(mask, channel, tap.alphaTest)
-                                        : belowThreshold(mask, channel, plan.threshold);
+    MaskValues values = channelOf(readColour(surface, inAlpha), inAlpha ? 3 : 0);
     fillWith(gl, kept);
     gl.DeleteTextures(1, &kept.name);
-    return shadow;
+    return values;
 }
 
 /// The mask as it stands.
-std::vector<bool> readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
+MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
     switch (tap.place) {
         case MaskPlace::Stencil:
-            return stencilledShadows(readStencil(surface), runner.reference(tap.test));
+            return channelOf(readStencil(surface), 0);
         case MaskPlace::Colour:
-            return belowThreshold(readColour(surface), 0, plan.threshold);
+            return channelOf(readColour(surface), 0);
         case MaskPlace::Alpha:
-            return belowThreshold(readColour(surface, true), 3, plan.threshold);
+            return channelOf(readColour(surface, true), 3);
         case MaskPlace::Counter:
-            return countedShadows(readColour(surface));
+            return countsOf(readColour(surface));
         case MaskPlace::Texture:
-            return readMaskTexture(surface, plan, tap, runner);
+            return readMaskTexture(surface, plan, runner);
         case MaskPlace::None:
             break;
     }
-    return std::vector<bool>(std::size_t(plan.width) * plan.height);
+    return MaskValues(std::size_t(plan.width) * plan.height);
 }
 
 }  // namespace
@@ -502,6 +484,7 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     PassRunner runner(gl, plan, surfaces, lights, Programs(gl, surface.programs(), profile.id + "/"));
     Rendered out;
     out.masks.resize(std::max<std::size_t>(plan.masks.size(), 1));
+    out.values.resize(out.masks.size());
     auto tap = plan.masks.begin();
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         // What the light adds is made before the clock starts.
@@ -517,7 +500,13 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
                 fmt::format("OpenGL error 0x{:04x} in pass {}: {}", error, i + 1, plan.passes[i].label));
         if (afterPass) afterPass(i);
         if (taps) {
-            out.masks[std::size_t(tap->light)] = readMask(surface, plan, *tap, runner);
+            MaskValues values = readMask(surface, plan, *tap, runner);
+            std::vector<bool>& shadow = out.masks[std::size_t(tap->light)];
+            const int reference = runner.reference(tap->test);
+            shadow.resize(values.size());
+            for (std::size_t p = 0; p < values.size(); ++p)
+                shadow[p] = isShadow(plan, *tap, values[p], reference);
+            out.values[std::size_t(tap->light)] = std::move(values);
             ++tap;
         }
     }

@@ -16,6 +16,8 @@ struct Rendered {
     Image image{};  ///< RGB, rows from the top
     /// By light; per pixel of the window, rows from the top: the mask calls it a shadow.
     std::vector<std::vector<bool>> masks{};
+    /// The same masks as they stand: stencil values, counts of 16 bits, or 8 bits of the mask's channel.
+    std::vector<std::vector<std::uint16_t>> values{};
     CallCounts counts{};
     double cpuMs = 0;   ///< thread CPU time of the frame's OpenGL calls, until they are finished
     double hostMs = 0;  ///< thread CPU time of building surfaces and volumes; filled in by the caller

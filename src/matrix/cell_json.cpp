@@ -57,6 +57,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"pixels", c.pixels},
         {"tied", {{"truth", c.tiedTruth}, {"count", c.tiedCount}}},
         {"wrong", {{"edge", c.wrongEdge}, {"interior", c.wrongInterior}}},
+        {"unpredicted", c.unpredicted},
         {"vertices", c.vertices},
         {"cpu_ms", rounded(c.cpuMs)},
         {"unshadowed_ms", rounded(c.unshadowedMs)},
@@ -110,6 +111,7 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.pixels = j.at("pixels");
     c.tiedTruth = j.at("tied").at("truth"), c.tiedCount = j.at("tied").at("count");
     c.wrongEdge = j.at("wrong").at("edge"), c.wrongInterior = j.at("wrong").at("interior");
+    c.unpredicted = j.at("unpredicted");
     c.vertices = j.at("vertices");
     c.cpuMs = j.at("cpu_ms"), c.unshadowedMs = j.at("unshadowed_ms");
     c.digest = j.at("digest");

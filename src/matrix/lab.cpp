@@ -8,6 +8,7 @@
 #include "gl/blend_program.h"
 #include "gl/capability.h"
 #include "matrix/causes.h"
+#include "predict/window_prediction.h"
 #include "volume/blockers.h"
 #include "volume/silhouette_finder.h"
 
@@ -123,6 +124,7 @@ struct Lab::Impl {
         tracers{};  ///< count ties are about the sides that are drawn
     std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
+    std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> plain{};  ///< for the predictor
 
     // Of the frame that was asked for last.
     FrameKey key{};
@@ -132,6 +134,8 @@ struct Lab::Impl {
     std::map<std::tuple<int, int, DepthEncoding, Silhouette>, std::shared_ptr<const Truth>>
         truths{};  ///< by light, depth format
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
+    std::map<std::tuple<int, Silhouette, CapFaces, float, int, int, DepthEncoding>, std::shared_ptr<const Crossings>>
+        crossings{};  ///< by light, ..., offset, divisor of the mask, depth format
     std::map<std::string, Cell> results{};
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
@@ -153,6 +157,7 @@ struct Lab::Impl {
         colours.clear();
         truths.clear();
         shapes.clear();
+        crossings.clear();
         results.clear();
         unshadowed.clear();
         eyeInside.clear();
@@ -183,7 +188,7 @@ struct Lab::Impl {
         return {axes.silhouette, axes.capFaces, parts, cutStyleOf(axes, profile.depthClamp)};
     }
 
-    std::shared_ptr<const FrameVolumes> volumesOf(int index, const VolumeKey& k) {
+    std::shared_ptr<const FrameVolumes> drawnVolumes(int index, const VolumeKey& k) {
         return kept(volumes, {index, k}, [&] {
             return std::make_shared<const FrameVolumes>(
                 frameVolumes(scene, litOf(index, k.silhouette, k.capFaces), light(index).position, view(),
@@ -210,7 +215,7 @@ struct Lab::Impl {
         };
         current = {.colours = coloursOf(index)};
         if (draws([](const Pass& p) { return p.kind == PassKind::Volume && p.drawn == Drawn::Volumes; }))
-            current.volumes = volumesOf(index, volumeKey(profile, axes, index));
+            current.volumes = drawnVolumes(index, volumeKey(profile, axes, index));
         if (draws([](const Pass& p) { return p.drawn == Drawn::Blockers; }))
             current.blockers = eyeBlockers(scene, litOf(index, axes.silhouette, axes.capFaces),
                                            light(index).position, view().eye);
@@ -271,7 +276,7 @@ struct Lab::Impl {
         }
         const VolumeKey k = volumeKey(profile, axes, index);
         auto [at, isNew] = shapes.try_emplace({index, k});
-        if (isNew) at->second.volumes = int(volumesOf(index, k)->size());
+        if (isNew) at->second.volumes = int(drawnVolumes(index, k)->size());
         shape.volumes = at->second.volumes;
         return shape;
     }
@@ -359,6 +364,8 @@ struct Lab::Impl {
                 truthOf(i, format.depth, arithmeticOf(profile, fidelity).depth, axes.silhouette);
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
             judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
+            cell.unpredicted +=
+                unpredicted(profile, axes, format, i, judgements.back(), rendered.values[std::size_t(i)]);
             if (pictures) {
                 masks.push_back(shadowPicture(*truth, mask));
                 truthPictures.push_back(truthPicture(*truth));
@@ -378,12 +385,71 @@ struct Lab::Impl {
         return combined(judgements);
     }
 
+    /// The mask's buffer, as the predictor wants it.
+    MaskArithmetic maskArithmetic(const Profile& profile, const Axes& axes, const BufferFormat& format) const {
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        return {chip.fidelity == Fidelity::Gl, chip.unit, chip.undithered, {"", format.red, format.green, format.blue, format.alpha},
+                axes.store == Store::Alpha ? 3 : 0};
+    }
+
+    std::shared_ptr<const Crossings> crossingsOf(int index, const Axes& axes, int depthBits, DepthEncoding encoding) {
+        return kept(crossings, {index, axes.silhouette, axes.capFaces, axes.offset, axes.maskDivisor, depthBits, encoding}, [&] {
+            View seen = view();
+            seen.width = (seen.width + axes.maskDivisor - 1) / axes.maskDivisor;
+            seen.height = (seen.height + axes.maskDivisor - 1) / axes.maskDivisor;
+            return std::make_shared<const Crossings>(gnomon::crossingsOf(
+                scene, plainLit(index, axes.silhouette, axes.capFaces), light(index).position, seen,
+                tiesOf(depthBits, encoding), axes.offset));
+        });
+    }
+
+    const std::vector<LitCaster>& plainLit(int index, Silhouette silhouette, CapFaces capFaces) {
+        return kept(plain, {index, silhouette, capFaces}, [&] {
+            return litCasters(scene, light(index).position, silhouette, capFaces);
+        });
+    }
+
+    int unpredicted(const Profile& profile, const Axes& axes, const BufferFormat& format, int index,
+                    const Judgement& judgement, const std::vector<std::uint16_t>& values) {
+        if (axes.store == Store::None || axes.store == Store::DepthMap) return 0;
+        const Plan plan = planOf(profile, axes);
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        const auto found = crossingsOf(index, axes, format.depth, chip.depth);
+        const auto& casters = plainLit(index, axes.silhouette, axes.capFaces);
+        std::vector<int> planVolumes(gnomon::volumesOf(casters).size(), -1);
+        if (axes.count != Count::AtomicZp) {
+            const auto drawn = drawnVolumes(index, volumeKey(profile, axes, index));
+            for (std::size_t v = 0; v < drawn->ordinals.size(); ++v)
+                planVolumes[drawn->ordinals[v]] = int(v);
+        }
+        MaskPrediction mask({.plan = plan, .light = index, .crossings = *found,
+            .arithmetic = maskArithmetic(profile, axes, format),
+            .planVolumes = planVolumes,
+            .holdingEye = holdingEye(scene, casters, light(index).position, view().eye),
+            .eyeOnFace = onVolumeFace(scene, casters, light(index).position, view().eye)});
+        const WindowPrediction window(plan, mask, axes.store == Store::Alpha ? format.alpha : format.red);
+        int count = 0;
+        for (std::size_t p = 0; p < values.size(); ++p) {
+            if (judgement.pixels[p] == PixelVerdict::Tied || window.allows(p, values[p])) continue;
+            ++count;
+            if (getenv("DEBUGP") && count < 6) {
+                const auto at = window.maskPixel(p);
+                fmt::print(stderr, "{} {} pixel {} {}: {} exact {} verdict {} :", profile.id, methodId(axes), p % std::size_t(key.width), p / std::size_t(key.width), values[p], mask.shown(mask.value(at.x, at.y)), int(judgement.pixels[p]));
+                for (auto v : mask.values(at.x, at.y)) fmt::print(stderr, " {}", mask.shown(v));
+                for (const auto& c : found->signatures[found->exact[std::size_t(at.y * found->width + at.x)]])
+                    fmt::print(stderr, " [{} p{} {}{} {}/{}]", c.volume, int(c.piece), c.front ? "F" : "B", c.own ? "o" : "", c.exact, c.possible);
+                fmt::print(stderr, "\n");
+            }
+        }
+        return count;
+    }
+
     void addCauses(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format,
                    int index, const Judgement& judgement, const Truth& truth) {
         static const FrameVolumes kNone;
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
+        const auto drawn = hasVolumes ? drawnVolumes(index, volumeKey(profile, axes, index))
                                       : std::shared_ptr<const FrameVolumes>();
         const Plan plan = planOf(profile, axes);
         const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;

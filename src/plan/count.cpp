@@ -47,4 +47,22 @@ bool passes(Compare function, float value, float reference) {
     return true;
 }
 
+bool isShadow(const Plan& plan, const MaskTap& tap, double value, int reference) {
+    switch (tap.place) {
+        case MaskPlace::Stencil:
+            return value != reference;
+        case MaskPlace::Counter:
+            return value != 0;
+        case MaskPlace::Texture:
+            if (tap.alphaTest.enabled)
+                return passes(tap.alphaTest.function, float(value), tap.alphaTest.reference * 255);
+            break;
+        case MaskPlace::None:
+            return false;
+        default:
+            break;
+    }
+    return value < plan.threshold * 255;
+}
+
 }  // namespace gnomon

@@ -208,6 +208,11 @@ std::vector<Missing> missing(const Profile& profile, const Plan& plan);
 /// Depth of 24 bits shares a 32-bit word with the stencil.
 std::int64_t frameBytes(const Profile& profile, int width, int height);
 
+/// Whether a value of the finished mask at @p tap is a shadow: a stencil value, a count of 16 bits, or 8 bits
+/// of colour or alpha (which need not be whole for a prediction).
+/// @param reference  of a stencil: the value of what is lit
+bool isShadow(const Plan& plan, const MaskTap& tap, double value, int reference);
+
 /// One line in OpenGL's terms: "depth LEQUAL, blend DST_COLOR ONE, colour 1 1 1, write RGB".
 std::string describeState(const Pass& pass);
 

@@ -20,13 +20,16 @@ FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, co
     const auto isOpen = [](const FrameVolumes::Runs& runs) {
         return runs.vertices.size() > runs.begins.back();
     };
+    std::uint32_t ordinal = 0;
     const auto append = [&](const LitCaster& one) {
+        ++ordinal;
         cutVolume(scene, one, light, view, parts, style, sink);
         auto& caps = volumes.parts[std::size_t(Part::NearCap)];
         if (isOpen(caps) && !touchesNearRectangle(scene, one, light, view))
             caps.vertices.resize(caps.begins.back());
         if (std::none_of(volumes.parts.begin(), volumes.parts.end(), isOpen)) return;
         for (auto& runs : volumes.parts) runs.begins.push_back(runs.vertices.size());
+        volumes.ordinals.push_back(ordinal - 1);
     };
     for (const LitCaster& caster : lit) {
         if (caster.lit.empty()) continue;

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "plan/plan.h"
+#include "predict/crossings.h"
+#include "predict/mask_arithmetic.h"
+
+namespace gnomon {
+
+/// What a plan's mask of one light is predicted from.
+struct MaskInputs {
+    const Plan& plan;
+    int light = 0;
+    const Crossings& crossings;  ///< of a view as large as the plan's mask
+    MaskArithmetic arithmetic{};
+    /// By volume of the predictor: its index among the plan's volumes, -1 if no pass draws it. Empty: plans
+    /// that draw all volumes at once don't ask.
+    std::span<const int> planVolumes{};
+    int holdingEye = 0;      ///< volumes that hold the eye, where the plan counts them by itself
+    bool eyeOnFace = false;  ///< then that count may be wrong by some
+};
+
+/// The mask of one light as the plan's passes must make it: in each pixel the crossings of the eye ray, pass
+/// by pass, in the chip's own arithmetic.
+///
+/// Values are codes of the mask's channel, stencil values, or counts of 16 bits. A pixel has one exact value,
+/// and all those that a rasteriser may come to which rounds corners and depths.
+class MaskPrediction {
+  public:
+    /// @pre the plan has a mask of @p in.light, and not one from a depth map
+    explicit MaskPrediction(const MaskInputs& in);
+    ~MaskPrediction();
+    MaskPrediction(MaskPrediction&&) noexcept;
+
+    /// Of the mask, pixels; rows from the top.
+    int width() const;
+    int height() const;
+
+    /// In exact arithmetic.
+    int value(int x, int y) const;
+    /// Whether the finished mask may hold @p value there.
+    bool allows(int x, int y, int value) const;
+    /// All that it may hold, ascending. Empty where the plan leaves out a volume that is there.
+    std::span<const std::uint16_t> values(int x, int y) const;
+
+    /// Whether a value of the finished mask is a shadow.
+    bool isShadow(int value) const { return isShadowShown(shown(value)); }
+    /// The same of 8 bits where values are codes of a channel.
+    bool isShadowShown(double value) const;
+    /// A value as it is read from the buffer: codes of a channel in 8 bits, all others as they are.
+    double shown(int value) const;
+    /// Inverse of shown(), for what buffers give.
+    int codeOf(int shown) const;
+
+    /// Whether the same passes would call the pixel a shadow, could the mask count without limits and did all
+    /// depths and borders fall as in exact arithmetic.
+    bool unlimitedShadow(int x, int y) const;
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace gnomon

@@ -1,0 +1,78 @@
+#include "predict/window_prediction.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+
+WindowPrediction::WindowPrediction(const Plan& plan, MaskPrediction& mask, int shownBits)
+    : m_plan(plan), m_mask(mask) {
+    const std::size_t pixels = std::size_t(plan.width) * std::size_t(plan.height);
+    m_shadow.resize(pixels);
+    if (plan.width != mask.width() || plan.height != mask.height()) {
+        const bool nearest = std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
+            return pass.kind == PassKind::Copy && pass.nearest && !pass.frameTexture;
+        });
+        // A filter's weights have 8 bits, and so has what it gives; then the window's channel rounds.
+        stretch(nearest, 2 + 255.0 / ((1 << shownBits) - 1));
+        return;
+    }
+    for (std::size_t p = 0; p < pixels; ++p) {
+        const glm::ivec2 at = maskPixel(p);
+        m_shadow[p] = mask.isShadow(mask.value(at.x, at.y));
+    }
+}
+
+void WindowPrediction::stretch(bool nearest, double rounding) {
+    const int width = m_mask.width(), height = m_mask.height();
+    struct Texel {
+        double exact, low, high;
+    };
+    std::vector<Texel> texels;
+    for (int y = 0; y < height; ++y) {
+        for (int x = 0; x < width; ++x) {
+            const auto values = m_mask.values(x, y);
+            const double exact = m_mask.shown(m_mask.value(x, y));
+            texels.push_back({exact, values.empty() ? exact : m_mask.shown(values.front()),
+                              values.empty() ? exact : m_mask.shown(values.back())});
+        }
+    }
+    m_ranges.resize(m_shadow.size());
+    for (std::size_t p = 0; p < m_shadow.size(); ++p) {
+        // Rows from the bottom, as the texture has them.
+        const int column = int(p % std::size_t(m_plan.width)),
+                  row = m_plan.height - 1 - int(p / std::size_t(m_plan.width));
+        const double s = (column + 0.5) / m_plan.width * width - 0.5,
+                     t = (row + 0.5) / m_plan.height * height - 0.5;
+        Texel sum{0, 0, 0};
+        const double left = nearest ? std::round(s) : std::floor(s),
+                     below = nearest ? std::round(t) : std::floor(t);
+        for (const int v : {0, 1}) {
+            for (const int u : {0, 1}) {
+                const double weightX = nearest ? 1 - u : u ? s - left : 1 - (s - left);
+                const double weightY = nearest ? 1 - v : v ? t - below : 1 - (t - below);
+                const int x = std::clamp(int(left) + u, 0, width - 1),
+                          y = height - 1 - std::clamp(int(below) + v, 0, height - 1);
+                const Texel& texel = texels[std::size_t(y) * std::size_t(width) + std::size_t(x)];
+                const double weight = weightX * weightY;
+                sum.exact += weight * texel.exact, sum.low += weight * texel.low,
+                    sum.high += weight * texel.high;
+            }
+        }
+        m_shadow[p] = m_mask.isShadowShown(sum.exact);
+        m_ranges[p] = {float(sum.low - rounding), float(sum.high + rounding)};
+    }
+}
+
+bool WindowPrediction::allows(std::size_t pixel, int value) const {
+    if (!m_ranges.empty()) return float(value) >= m_ranges[pixel].low && float(value) <= m_ranges[pixel].high;
+    const glm::ivec2 at = maskPixel(pixel);
+    return m_mask.allows(at.x, at.y, m_mask.codeOf(value));
+}
+
+glm::ivec2 WindowPrediction::maskPixel(std::size_t pixel) const {
+    const int x = int(pixel % std::size_t(m_plan.width)), y = int(pixel / std::size_t(m_plan.width));
+    return {x * m_mask.width() / m_plan.width, y * m_mask.height() / m_plan.height};
+}
+
+}  // namespace gnomon
