@@ -512,7 +512,10 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     }
     out.image = readColour(surface);
     out.counts = counter.counts();
-    if (plan.masks.empty()) out.masks[0].resize(std::size_t(plan.width) * plan.height);
+    if (plan.masks.empty()) {
+        out.masks[0].resize(std::size_t(plan.width) * plan.height);
+        out.values[0].resize(out.masks[0].size());
+    }
     return out;
 }
 

@@ -36,7 +36,7 @@ struct Cell {
     int pixels = 0;
     int tiedTruth = 0, tiedCount = 0;
     int wrongEdge = 0, wrongInterior = 0;
-    int unpredicted = 0;  ///< untied pixels whose mask is not what the predictor says
+    int unpredicted = 0;                 ///< untied pixels whose mask is not what the predictor says
     long vertices = 0;                   ///< drawn in all passes
     double cpuMs = 0, unshadowedMs = 0;  ///< thread CPU time of the frame, and of the same without shadows
     std::string digest{};                ///< over mask and image, 16 hexadecimal digits

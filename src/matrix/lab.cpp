@@ -7,8 +7,8 @@
 
 #include "gl/blend_program.h"
 #include "gl/capability.h"
-#include "matrix/causes.h"
-#include "predict/window_prediction.h"
+#include "matrix/depth_ties.h"
+#include "matrix/frame_predictor.h"
 #include "volume/blockers.h"
 #include "volume/silhouette_finder.h"
 
@@ -86,20 +86,6 @@ std::string resultKey(const BufferFormat& f, const ChipArithmetic& chip, const P
     return key;
 }
 
-/// The ties of a chip's depth format (profile/depth.h).
-DepthTies tiesOf(int bits, DepthEncoding encoding) {
-    const double interpolation = depthTies(24).countBand;
-    switch (encoding) {
-        case DepthEncoding::Linear:
-            break;
-        case DepthEncoding::VoodooW:  // 13 bits of near / w, the leading one among them
-            return {std::ldexp(1.0, -28), interpolation, std::ldexp(1.0, -12)};
-        case DepthEncoding::N64:  // 18 bits at most; 11 of what is left to 1, the leading ones taken off
-            return {std::ldexp(1.0, -18), std::ldexp(1.0, -18) + interpolation, std::ldexp(1.0, -11)};
-    }
-    return depthTies(bits);
-}
-
 constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
 
 /// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
@@ -124,7 +110,6 @@ struct Lab::Impl {
         tracers{};  ///< count ties are about the sides that are drawn
     std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
-    std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> plain{};  ///< for the predictor
 
     // Of the frame that was asked for last.
     FrameKey key{};
@@ -134,16 +119,11 @@ struct Lab::Impl {
     std::map<std::tuple<int, int, DepthEncoding, Silhouette>, std::shared_ptr<const Truth>>
         truths{};  ///< by light, depth format
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
-    std::map<std::tuple<int, Silhouette, CapFaces, float, int, int, DepthEncoding>, std::shared_ptr<const Crossings>>
-        crossings{};  ///< by light, ..., offset, divisor of the mask, depth format
     std::map<std::string, Cell> results{};
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
     LightFrame current{};
-
-    // Of the cell that is drawn.
-    std::function<std::vector<std::vector<bool>>()> drawnByOpenGl{};
-    std::optional<std::vector<std::vector<bool>>> openGlMasks{};
+    std::optional<FramePredictor> predictor{};
 
     int lights() const { return int(scene.lights.size()); }
     const Light& light(int index) const { return scene.lights[std::size_t(index)]; }
@@ -157,10 +137,10 @@ struct Lab::Impl {
         colours.clear();
         truths.clear();
         shapes.clear();
-        crossings.clear();
         results.clear();
         unshadowed.clear();
         eyeInside.clear();
+        if (predictor) predictor->select(view());
     }
 
     View view() const { return viewOf(scene.frames[std::size_t(key.frame)], key.width, key.height); }
@@ -188,7 +168,7 @@ struct Lab::Impl {
         return {axes.silhouette, axes.capFaces, parts, cutStyleOf(axes, profile.depthClamp)};
     }
 
-    std::shared_ptr<const FrameVolumes> drawnVolumes(int index, const VolumeKey& k) {
+    std::shared_ptr<const FrameVolumes> volumesOf(int index, const VolumeKey& k) {
         return kept(volumes, {index, k}, [&] {
             return std::make_shared<const FrameVolumes>(
                 frameVolumes(scene, litOf(index, k.silhouette, k.capFaces), light(index).position, view(),
@@ -215,7 +195,7 @@ struct Lab::Impl {
         };
         current = {.colours = coloursOf(index)};
         if (draws([](const Pass& p) { return p.kind == PassKind::Volume && p.drawn == Drawn::Volumes; }))
-            current.volumes = drawnVolumes(index, volumeKey(profile, axes, index));
+            current.volumes = volumesOf(index, volumeKey(profile, axes, index));
         if (draws([](const Pass& p) { return p.drawn == Drawn::Blockers; }))
             current.blockers = eyeBlockers(scene, litOf(index, axes.silhouette, axes.capFaces),
                                            light(index).position, view().eye);
@@ -276,7 +256,7 @@ struct Lab::Impl {
         }
         const VolumeKey k = volumeKey(profile, axes, index);
         auto [at, isNew] = shapes.try_emplace({index, k});
-        if (isNew) at->second.volumes = int(drawnVolumes(index, k)->size());
+        if (isNew) at->second.volumes = int(volumesOf(index, k)->size());
         shape.volumes = at->second.volumes;
         return shape;
     }
@@ -318,7 +298,6 @@ struct Lab::Impl {
 
     void draw(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
-        const BufferFormat format = bufferFormatOf(profile);
         cell.unshadowedMs = unshadowedMs(profile);
         Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
@@ -330,20 +309,14 @@ struct Lab::Impl {
         };
         Rendered rendered = render(surface, profile, plan, surfacesOf(), frames, each);
         rendered.masks.resize(std::size_t(lights()), rendered.masks.front());
+        rendered.values.resize(std::size_t(lights()), rendered.values.front());
 
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
         cell.cpuMs = rendered.cpuMs;
-        // What OpenGL's own arithmetic makes of it, should anyone ask.
-        openGlMasks.reset();
-        drawnByOpenGl = [&] {
-            Rendered other = render(contextOf(profile, plan, {}), profile, plan, surfacesOf(), frames);
-            other.masks.resize(std::size_t(lights()), other.masks.front());
-            return std::move(other.masks);
-        };
-        const Judgement judgement = judged(cell, profile, axes, format, rendered, pictures);
+        const Judgement judgement = judged(cell, profile, axes, plan, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
         cell.wrongEdge = judgement.edge, cell.wrongInterior = judgement.interior;
         cell.verdict = judgement.interior ? Verdict::Wrong : judgement.edge ? Verdict::Edge : Verdict::Exact;
@@ -353,126 +326,57 @@ struct Lab::Impl {
     }
 
     /// Holds each light's mask against its truth; adds causes, and the pictures of masks and truth.
-    Judgement judged(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format,
+    Judgement judged(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan,
                      const Rendered& rendered, Pictures* pictures) {
+        const BufferFormat format = bufferFormatOf(profile);
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
         const bool clamps = axes.arithmetic != Arithmetic::Count;
         std::vector<Judgement> judgements;
         std::vector<Image> masks, truthPictures;
-        std::vector<bool> explained(std::size_t(key.width) * std::size_t(key.height));
+        std::vector<Cause> causes(std::size_t(key.width) * std::size_t(key.height));
         for (int i = 0; i < lights(); ++i) {
-            const auto truth =
-                truthOf(i, format.depth, arithmeticOf(profile, fidelity).depth, axes.silhouette);
+            const auto truth = truthOf(i, format.depth, chip.depth, axes.silhouette);
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
             judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
-            cell.unpredicted +=
-                unpredicted(profile, axes, format, i, judgements.back(), rendered.values[std::size_t(i)]);
             if (pictures) {
                 masks.push_back(shadowPicture(*truth, mask));
                 truthPictures.push_back(truthPicture(*truth));
             }
+            const Explained one = explained(profile, axes, plan, format, chip, i, *truth, judgements.back(),
+                                            rendered.values[std::size_t(i)]);
+            cell.unpredicted += one.unpredicted;
             // Of several lights that are wrong in a pixel the first explains it.
-            Judgement own = judgements.back();
-            own.edge = own.interior = 0;
-            for (std::size_t p = 0; p < own.pixels.size(); ++p) {
-                if (explained[p]) own.pixels[p] = PixelVerdict::Right;
-                own.edge += own.pixels[p] == PixelVerdict::WrongEdge;
-                own.interior += own.pixels[p] == PixelVerdict::WrongInterior;
-                if (own.pixels[p] >= PixelVerdict::WrongEdge) explained[p] = true;
-            }
-            if (own.wrong() > 0) addCauses(cell, profile, axes, format, i, own, *truth);
+            for (std::size_t p = 0; p < one.causes.size(); ++p)
+                if (causes[p] == Cause::None) causes[p] = one.causes[p];
         }
+        for (const Cause cause : causes)
+            if (cause != Cause::None) ++cell.causes[gnomon::name(cause)];
+        if (pictures) pictures->causes = causes;
         if (pictures) pictures->mask = averageOf(masks), pictures->truth = averageOf(truthPictures);
         return combined(judgements);
     }
 
-    /// The mask's buffer, as the predictor wants it.
-    MaskArithmetic maskArithmetic(const Profile& profile, const Axes& axes, const BufferFormat& format) const {
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
-        return {chip.fidelity == Fidelity::Gl, chip.unit, chip.undithered, {"", format.red, format.green, format.blue, format.alpha},
-                axes.store == Store::Alpha ? 3 : 0};
-    }
-
-    std::shared_ptr<const Crossings> crossingsOf(int index, const Axes& axes, int depthBits, DepthEncoding encoding) {
-        return kept(crossings, {index, axes.silhouette, axes.capFaces, axes.offset, axes.maskDivisor, depthBits, encoding}, [&] {
-            View seen = view();
-            seen.width = (seen.width + axes.maskDivisor - 1) / axes.maskDivisor;
-            seen.height = (seen.height + axes.maskDivisor - 1) / axes.maskDivisor;
-            return std::make_shared<const Crossings>(gnomon::crossingsOf(
-                scene, plainLit(index, axes.silhouette, axes.capFaces), light(index).position, seen,
-                tiesOf(depthBits, encoding), axes.offset));
-        });
-    }
-
-    const std::vector<LitCaster>& plainLit(int index, Silhouette silhouette, CapFaces capFaces) {
-        return kept(plain, {index, silhouette, capFaces}, [&] {
-            return litCasters(scene, light(index).position, silhouette, capFaces);
-        });
-    }
-
-    int unpredicted(const Profile& profile, const Axes& axes, const BufferFormat& format, int index,
-                    const Judgement& judgement, const std::vector<std::uint16_t>& values) {
-        if (axes.store == Store::None || axes.store == Store::DepthMap) return 0;
-        const Plan plan = planOf(profile, axes);
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
-        const auto found = crossingsOf(index, axes, format.depth, chip.depth);
-        const auto& casters = plainLit(index, axes.silhouette, axes.capFaces);
-        std::vector<int> planVolumes(gnomon::volumesOf(casters).size(), -1);
-        if (axes.count != Count::AtomicZp) {
-            const auto drawn = drawnVolumes(index, volumeKey(profile, axes, index));
-            for (std::size_t v = 0; v < drawn->ordinals.size(); ++v)
-                planVolumes[drawn->ordinals[v]] = int(v);
-        }
-        MaskPrediction mask({.plan = plan, .light = index, .crossings = *found,
-            .arithmetic = maskArithmetic(profile, axes, format),
-            .planVolumes = planVolumes,
-            .holdingEye = holdingEye(scene, casters, light(index).position, view().eye),
-            .eyeOnFace = onVolumeFace(scene, casters, light(index).position, view().eye)});
-        const WindowPrediction window(plan, mask, axes.store == Store::Alpha ? format.alpha : format.red);
-        int count = 0;
-        for (std::size_t p = 0; p < values.size(); ++p) {
-            if (judgement.pixels[p] == PixelVerdict::Tied || window.allows(p, values[p])) continue;
-            ++count;
-            if (getenv("DEBUGP") && count < 6) {
-                const auto at = window.maskPixel(p);
-                fmt::print(stderr, "{} {} pixel {} {}: {} exact {} verdict {} :", profile.id, methodId(axes), p % std::size_t(key.width), p / std::size_t(key.width), values[p], mask.shown(mask.value(at.x, at.y)), int(judgement.pixels[p]));
-                for (auto v : mask.values(at.x, at.y)) fmt::print(stderr, " {}", mask.shown(v));
-                for (const auto& c : found->signatures[found->exact[std::size_t(at.y * found->width + at.x)]])
-                    fmt::print(stderr, " [{} p{} {}{} {}/{}]", c.volume, int(c.piece), c.front ? "F" : "B", c.own ? "o" : "", c.exact, c.possible);
-                fmt::print(stderr, "\n");
-            }
-        }
-        return count;
-    }
-
-    void addCauses(Cell& cell, const Profile& profile, const Axes& axes, const BufferFormat& format,
-                   int index, const Judgement& judgement, const Truth& truth) {
-        static const FrameVolumes kNone;
+    /// One light's mask held against its prediction.
+    Explained explained(const Profile& profile, const Axes& axes, const Plan& plan,
+                        const BufferFormat& format, const ChipArithmetic& chip, int index, const Truth& truth,
+                        const Judgement& judgement, std::span<const std::uint16_t> values) {
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto drawn = hasVolumes ? drawnVolumes(index, volumeKey(profile, axes, index))
-                                      : std::shared_ptr<const FrameVolumes>();
-        const Plan plan = planOf(profile, axes);
-        const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
-        const bool byChip = fidelity.fidelity == Fidelity::Chip;
-        if (byChip && !openGlMasks) openGlMasks = drawnByOpenGl();
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
-        const auto causes = causesOf(
-            {.judgement = judgement,
-             .truth = truth,
-             .axes = axes,
-             .view = view(),
-             .surfaces = surfacesOf(),
-             .volumes = drawn ? *drawn : kNone,
-             .eyeInVolume = eyeInVolumes(index),
-             .eyeOnFace =
-                 onVolumeFace(scene, litOf(index, Silhouette::Winding), light(index).position, view().eye),
-             .depthBits = format.depth,
-             .maskBits = axes.store == Store::Alpha ? format.alpha
-                                                    : std::min({format.red, format.green, format.blue}),
-             .range = countRange(axes, profile, doubled),
-             .byOpenGl = byChip ? &(*openGlMasks)[std::size_t(index)] : nullptr,
-             .dithers = chip.undithered != DitherMode::Off});
-        for (const auto& [cause, pixels] : causes) cell.causes[cause] += pixels;
+        const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
+                                      : std::make_shared<const FrameVolumes>();
+        if (!predictor) {
+            predictor.emplace(scene);
+            predictor->select(view());
+        }
+        return predictor->explain({.plan = plan,
+                                   .axes = axes,
+                                   .format = format,
+                                   .chip = chip,
+                                   .light = index,
+                                   .truth = truth,
+                                   .judgement = judgement,
+                                   .values = values,
+                                   .ordinals = drawn->ordinals});
     }
 };
 

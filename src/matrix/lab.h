@@ -10,6 +10,7 @@
 #include "gl/renderer.h"
 #include "matrix/cell.h"
 #include "matrix/judge.h"
+#include "predict/causes.h"
 #include "scene/scene.h"
 #include "truth/truth.h"
 
@@ -21,6 +22,7 @@ struct Pictures {
     Image mask{};   ///< shadowPicture(); of several lights the average
     Image truth{};  ///< the same from the tracer
     Judgement judgement{};
+    std::vector<Cause> causes{};  ///< by pixel: why it is wrong; of several lights the first that is
 };
 
 /// Draws and judges the cells of one scene. Keeps what cells share: truth, surfaces and

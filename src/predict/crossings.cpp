@@ -213,8 +213,8 @@ class Finder {
                 const double x = column + 0.5, inside = cone.inside(x, y);
                 const bool isSure = inside > slack;
                 const bool holds =
-                    isSure || (std::abs(inside) > cone.insideError() ? inside > 0
-                                                                     : cone.holds(rayAt(x, y), x, y));
+                    isSure ||
+                    (std::abs(inside) > cone.insideError() ? inside > 0 : cone.holds(rayAt(x, y), x, y));
                 visit(std::size_t(row - first) * std::size_t(m_view.width) + std::size_t(column), x, y,
                       isSure, holds);
             }
@@ -363,8 +363,7 @@ class Finder {
             for (int column = 0; column < m_view.width; ++column) {
                 const std::size_t slot =
                     std::size_t(row - first) * std::size_t(m_view.width) + std::size_t(column);
-                const auto pixel =
-                    std::uint32_t((m_view.height - 1 - row) * m_view.width + column);
+                const auto pixel = std::uint32_t((m_view.height - 1 - row) * m_view.width + column);
                 auto& alternatives = m_found[slot];
                 alternatives.resize(m_hits[slot].size());
                 m_out.exact[pixel] = signatureOf(alternatives[0]);
@@ -423,6 +422,18 @@ std::vector<VolumeOrigin> volumesOf(std::span<const LitCaster> lit) {
         for (std::uint32_t t = 0; t < count; ++t) origins.push_back({c, t});
     }
     return origins;
+}
+
+int volumesAround(const Signature& signature) {
+    int count = 0;
+    for (const Crossing& c : signature) {
+        const bool counts = c.piece == Piece::NearCap || (c.piece == Piece::Side && c.exact == kBefore) ||
+                            // Where nothing is seen all that enters leaves at infinity.
+                            (c.piece == Piece::FarCap && c.exact == kAt) ||
+                            (c.piece == Piece::Side && c.exact == kAt);
+        if (counts && c.exact != kAbsent) count += c.front ? 1 : -1;
+    }
+    return count;
 }
 
 Crossings crossingsOf(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,

@@ -37,8 +37,8 @@ struct Crossing {
     std::uint32_t volume = 0;  ///< in the order of volumesOf()
     Piece piece = Piece::Side;
     bool front = false;
-    bool own = false;        ///< of the seen triangle: its cap, or a side that hangs from one of its edges
-    std::uint8_t exact = 0;  ///< kAbsent, kBefore, kAt or kBehind
+    bool own = false;           ///< of the seen triangle: its cap, or a side that hangs from one of its edges
+    std::uint8_t exact = 0;     ///< kAbsent, kBefore, kAt or kBehind
     std::uint8_t possible = 0;  ///< bits: all that a rasteriser and a depth buffer may make of it
     auto operator<=>(const Crossing&) const = default;
     bool isSure() const { return exact == possible; }
@@ -46,6 +46,10 @@ struct Crossing {
 
 /// All crossings of one ray, sorted. Those of equal volumes stand together.
 using Signature = std::vector<Crossing>;
+
+/// How many volumes hold the visible point, by all crossings before it: at the near plane and beyond, in
+/// exact arithmetic. The background lies before infinity.
+int volumesAround(const Signature& signature);
 
 /// What every pixel's eye ray crosses. Pixels whose rays cross the same faces in the same way share one
 /// signature.

@@ -25,10 +25,10 @@ std::optional<int> byOpenGl(const MaskArithmetic& mask, const Blend& b, int grey
     // OpenGL has no sum that wraps: of one and one it is that of the codes.
     if (b.equation == BlendEquation::AddWrap) return (code + rounded(grey, bits)) & largestCode(bits);
     const int value = replicated(code, bits), constant = byteOf(b.constant);
-    const auto blended = blendInto({BlendUnit::IdealRound, {"", 8, 8, 8, 8}},
-                                   {b.source, b.destination, operationOf(b.equation),
-                                    {constant, constant, constant, constant}},
-                                   {grey, grey, grey, grey}, {value, value, value, value});
+    const auto blended = blendInto(
+        {BlendUnit::IdealRound, {"", 8, 8, 8, 8}},
+        {b.source, b.destination, operationOf(b.equation), {constant, constant, constant, constant}},
+        {grey, grey, grey, grey}, {value, value, value, value});
     if (!blended) return {};
     return rounded((*blended)[std::size_t(mask.channel)], bits);
 }
@@ -45,9 +45,8 @@ std::optional<int> byChip(const FrameChannel& channel, const Blend& b, int grey,
     if (b.equation == BlendEquation::Max) return stored(channel, std::max(source, destination));
     if (b.equation == BlendEquation::Min) return stored(channel, std::min(source, destination));
     if (b.source != One || b.destination != One) return {};
-    const auto sum = blendUnclamped(channel.unit, {.source = source,
-                                                   .destination = destination,
-                                                   .operation = operationOf(b.equation)});
+    const auto sum = blendUnclamped(
+        channel.unit, {.source = source, .destination = destination, .operation = operationOf(b.equation)});
     if (!sum) return {};
     return stored(channel, *sum, b.equation == BlendEquation::AddWrap);
 }

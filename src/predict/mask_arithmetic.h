@@ -9,7 +9,8 @@ namespace gnomon {
 
 /// The arithmetic of the buffer that holds a mask.
 struct MaskArithmetic {
-    bool openGl = true;  ///< OpenGL's blending on 8 bits, of which the nearest code is stored; else the chip's
+    bool openGl =
+        true;  ///< OpenGL's blending on 8 bits, of which the nearest code is stored; else the chip's
     BlendUnit unit = BlendUnit::IdealRound;
     DitherMode dither = DitherMode::Off;  ///< while masks are drawn
     ColourFormat format{};

@@ -11,7 +11,7 @@ constexpr int kCounterValues = 1 << 16;
 
 /// The passes that make one mask.
 struct Run {
-    std::size_t first = 0, last = 0;  ///< of the plan's passes
+    std::size_t first = 0, last = 0;    ///< of the plan's passes
     MaskPlace place = MaskPlace::None;  ///< Stencil, Counter, Colour or Alpha
 };
 
@@ -31,10 +31,12 @@ Run runOf(const Plan& plan, const MaskTap& tap) {
     if (tap.place == MaskPlace::Texture) {
         // It is finished where it is copied.
         std::size_t copy = tap.after;
-        while (copy > 0 && (plan.passes[copy - 1].kind != PassKind::Copy || plan.passes[copy - 1].frameTexture))
+        while (copy > 0 &&
+               (plan.passes[copy - 1].kind != PassKind::Copy || plan.passes[copy - 1].frameTexture))
             --copy;
         run.last = copy == 0 ? 0 : copy - 1;
-        run.place = plan.passes[run.last].texture == MaskTexture::Alpha ? MaskPlace::Alpha : MaskPlace::Colour;
+        run.place =
+            plan.passes[run.last].texture == MaskTexture::Alpha ? MaskPlace::Alpha : MaskPlace::Colour;
     }
     run.first = run.last;
     const auto starts = [&](const Pass& pass) {
@@ -66,8 +68,8 @@ struct MaskPrediction::Impl {
         outcomes.resize(in.crossings.signatures.size() * std::size_t(period * period));
         for (std::size_t i = run.first + 1; i < run.last; ++i) {
             const Pass& pass = plan.passes[i];
-            const bool counts =
-                pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle || pass.kind == PassKind::Clear;
+            const bool counts = pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle ||
+                                pass.kind == PassKind::Clear;
             if (!counts || !writesMask(pass, run.place)) continue;
             if (pass.kind == PassKind::Volume && pass.volume != kAllVolumes) {
                 ofVolume[pass.volume].push_back(i);
@@ -75,6 +77,10 @@ struct MaskPrediction::Impl {
             } else {
                 general.push_back(i);
             }
+            if (pass.kind != PassKind::Volume) continue;
+            countsNearCaps = countsNearCaps || draws(pass, Piece::NearCap);
+            const Meeting entry = meeting(pass, true, kBefore);
+            if (draws(pass, Piece::Side) && entry != kNothing) entersBefore += direction(pass, entry);
         }
     }
 
@@ -86,8 +92,7 @@ struct MaskPrediction::Impl {
 
     struct Outcome {
         bool isKnown = false;
-        bool unlimitedShadow = false;
-        int exact = 0;
+        int exact = 0, unlimited = 0, nearCaps = 0;
         Values values{};
     };
 
@@ -102,9 +107,11 @@ struct MaskPrediction::Impl {
         bool isFirst = true;
         in.crossings.each(pixel, [&](std::uint32_t signature) {
             const Outcome& one = of(signature, x, y);
-            if (isFirst) all.exact = one.exact, all.unlimitedShadow = one.unlimitedShadow;
+            if (isFirst)
+                all = one;
+            else
+                all.values.insert(all.values.end(), one.values.begin(), one.values.end());
             isFirst = false;
-            all.values.insert(all.values.end(), one.values.begin(), one.values.end());
         });
         makeSet(all.values);
         return all;
@@ -114,7 +121,8 @@ struct MaskPrediction::Impl {
         // Masks stand in the window's lower left corner.
         const int windowY = y + plan.height - in.crossings.height;
         const int cell = (windowY % period) * period + x % period;
-        Outcome& outcome = outcomes[std::size_t(signature) * std::size_t(period * period) + std::size_t(cell)];
+        Outcome& outcome =
+            outcomes[std::size_t(signature) * std::size_t(period * period) + std::size_t(cell)];
         if (!outcome.isKnown) {
             currentX = x % period, currentY = windowY % period;
             currentCell = cell;
@@ -259,9 +267,9 @@ struct MaskPrediction::Impl {
 
     void replay(const Signature& signature, Outcome& outcome) {
         outcome.isKnown = true;
-        const bool isSure = std::all_of(signature.begin(), signature.end(),
-                                        [](const Crossing& c) { return c.isSure(); }) &&
-                            !(startsAtEye() && in.eyeOnFace);
+        const bool isSure =
+            std::all_of(signature.begin(), signature.end(), [](const Crossing& c) { return c.isSure(); }) &&
+            !(startsAtEye() && in.eyeOnFace);
         int exact = start(), net = startsAtEye() ? in.holdingEye : 0;
         if (!startsAtEye() && run.place == MaskPlace::Stencil) net = exact - tap.test.reference;
         Values values{std::uint16_t(exact)};
@@ -316,7 +324,11 @@ struct MaskPrediction::Impl {
             if (isSure) values = {std::uint16_t(exact)};
         }
         outcome.exact = exact;
-        outcome.unlimitedShadow = net != 0;
+        outcome.unlimited = net;
+        if (!countsNearCaps)
+            outcome.nearCaps = int(std::count_if(signature.begin(), signature.end(), [](const Crossing& c) {
+                return c.piece == Piece::NearCap && c.exact != kAbsent;
+            }));
         outcome.values = misses ? Values{} : std::move(values);
     }
 
@@ -331,7 +343,8 @@ struct MaskPrediction::Impl {
         for (int way = 0; way < kMeetings; ++way) {
             if (!ways[way]) continue;
             for (const std::uint16_t value : values)
-                next.push_back(way == kNothing ? value : std::uint16_t(afterFragment(index, Meeting(way), value)));
+                next.push_back(way == kNothing ? value
+                                               : std::uint16_t(afterFragment(index, Meeting(way), value)));
         }
         makeSet(next);
         values.swap(next);
@@ -352,9 +365,10 @@ struct MaskPrediction::Impl {
     const Run run;
     int period = 1;
 
-    std::vector<std::size_t> general{};                 ///< passes that touch all rays
+    std::vector<std::size_t> general{};                  ///< passes that touch all rays
     std::map<int, std::vector<std::size_t>> ofVolume{};  ///< those of one volume
-    bool drawsOneByOne = false;
+    bool drawsOneByOne = false, countsNearCaps = false;
+    int entersBefore = 0;  ///< what entries before the surface add, in all passes
 
     int currentX = 0, currentY = 0, currentCell = 0;
     std::map<std::pair<int, int>, std::vector<int>> tables{};  ///< by cell and operation: code after code
@@ -395,8 +409,48 @@ double MaskPrediction::shown(int value) const {
 int MaskPrediction::codeOf(int shown) const {
     return m_impl->hasCodes() ? truncated(shown, m_impl->in.arithmetic.bits()) : shown;
 }
-bool MaskPrediction::unlimitedShadow(int x, int y) const {
-    return m_impl->at(x, y).unlimitedShadow;
+int MaskPrediction::unlimitedCount(int x, int y) const {
+    return m_impl->at(x, y).unlimited;
+}
+bool MaskPrediction::countsFromEye() const {
+    return m_impl->entersBefore != 0;
+}
+bool MaskPrediction::startsAtEye() const {
+    return m_impl->startsAtEye();
+}
+bool MaskPrediction::wraps() const {
+    const auto& passes = m_impl->plan.passes;
+    return std::any_of(passes.begin() + std::ptrdiff_t(m_impl->run.first),
+                       passes.begin() + std::ptrdiff_t(m_impl->run.last), [](const Pass& pass) {
+                           const auto wraps = [](const StencilSide& side) {
+                               return side.onPass == StencilOp::IncrWrap ||
+                                      side.onDepthFail == StencilOp::IncrWrap;
+                           };
+                           return pass.kind == PassKind::Volume &&
+                                  (wraps(pass.stencil.front) || wraps(pass.stencil.back) ||
+                                   pass.program == Program::CountFaces ||
+                                   (pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap));
+                       });
+}
+bool MaskPrediction::isStencil() const {
+    return m_impl->run.place == MaskPlace::Stencil;
+}
+bool MaskPrediction::hasCodes() const {
+    return m_impl->hasCodes();
+}
+int MaskPrediction::uncountedNearCaps(int x, int y) const {
+    return m_impl->at(x, y).nearCaps;
+}
+
+MaskPrediction::Doubt MaskPrediction::doubt(int x, int y) const {
+    const Crossings& all = m_impl->in.crossings;
+    const auto pixel = std::uint32_t(y * all.width + x);
+    Doubt doubt = all.others.contains(pixel) ? Doubt::Others : Doubt::None;
+    for (const Crossing& c : all.signatures[all.exact[pixel]]) {
+        if (c.isSure()) continue;
+        doubt = c.own && doubt != Doubt::Others ? Doubt::Own : Doubt::Others;
+    }
+    return doubt;
 }
 
 }  // namespace gnomon

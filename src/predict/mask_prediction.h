@@ -56,9 +56,26 @@ class MaskPrediction {
     /// Inverse of shown(), for what buffers give.
     int codeOf(int shown) const;
 
-    /// Whether the same passes would call the pixel a shadow, could the mask count without limits and did all
-    /// depths and borders fall as in exact arithmetic.
-    bool unlimitedShadow(int x, int y) const;
+    /// What the same passes would count beyond what a lit pixel holds, had the mask no limits and did all
+    /// depths and borders fall as in exact arithmetic: a shadow where it is not 0.
+    int unlimitedCount(int x, int y) const;
+
+    /// Whether the plan counts from the eye on, so that what holds the near plane must be added.
+    bool countsFromEye() const;
+    /// Whether it starts from what hides the eye, counted by itself.
+    bool startsAtEye() const;
+    /// Whether it counts up and down in steps that wrap.
+    bool wraps() const;
+    bool isStencil() const;
+    /// Whether its values are codes of a colour or alpha channel.
+    bool hasCodes() const;
+    /// Volumes that hold the near plane's point of the pixel, if no pass of the plan counts them.
+    int uncountedNearCaps(int x, int y) const;
+
+    /// Whether some face is so near to the visible surface, or so near to passing beside the ray, that the
+    /// mask may become another; kOwn if all of these hang from the seen triangle.
+    enum class Doubt { None, Own, Others };
+    Doubt doubt(int x, int y) const;
 
   private:
     struct Impl;

@@ -23,8 +23,8 @@ struct FrameVolumes {
         std::vector<std::size_t> begins{0};
     };
     std::array<Runs, kParts> parts{};
-    /// Of each volume, its place among all that the light makes, those outside of the window too: one for each
-    /// caster with lit triangles, or for each of these.
+    /// Of each volume, its place among all that the light makes, those outside of the window too: one for
+    /// each caster with lit triangles, or for each of these.
     std::vector<std::uint32_t> ordinals{};
 
     std::size_t size() const { return parts[0].begins.size() - 1; }

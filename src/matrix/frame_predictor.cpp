@@ -1,0 +1,168 @@
+#include "matrix/frame_predictor.h"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <tuple>
+
+#include "matrix/depth_ties.h"
+#include "volume/blockers.h"
+
+namespace gnomon {
+namespace {
+
+constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
+
+/// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
+template <class Map, class Make>
+auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
+    const auto found = map.find(key);
+    if (found != map.end()) return found->second;
+    if (map.size() >= kMostKept) map.clear();
+    return map.emplace(key, make()).first->second;
+}
+
+bool isWrong(PixelVerdict verdict) {
+    return verdict == PixelVerdict::WrongEdge || verdict == PixelVerdict::WrongInterior;
+}
+
+/// Whether sides of this kind may be wrong on a mesh that is not closed (volume.h, limitation()).
+bool mayLeak(Silhouette silhouette) {
+    return silhouette == Silhouette::Triangular || silhouette == Silhouette::Visible;
+}
+
+}  // namespace
+
+struct FramePredictor::Impl {
+    explicit Impl(const Scene& s) : scene(s) {}
+
+    const Scene& scene;
+    View view{};
+
+    using LitKey = std::tuple<int, Silhouette, CapFaces>;
+    std::map<LitKey, std::shared_ptr<const std::vector<LitCaster>>> casters{};  ///< by light, ...
+
+    // Of the selected frame
+    using CrossingsKey = std::tuple<LitKey, float, int, int, DepthEncoding>;
+    std::map<CrossingsKey, std::shared_ptr<const Crossings>>
+        crossings{};  ///< by light, ..., offset, divisor of the mask, depth
+    struct Eye {
+        int held = 0;
+        bool onFace = false;
+    };
+    std::map<LitKey, Eye> eyes{};
+
+    const glm::vec4& light(int index) const { return scene.lights[std::size_t(index)].position; }
+
+    std::shared_ptr<const std::vector<LitCaster>> litOf(const LitKey& key) {
+        const auto& [index, silhouette, capFaces] = key;
+        return kept(casters, key, [&, s = silhouette, c = capFaces, i = index] {
+            return std::make_shared<const std::vector<LitCaster>>(litCasters(scene, light(i), s, c));
+        });
+    }
+
+    std::shared_ptr<const Crossings> crossingsOf(const LitKey& key, float offset, int divisor,
+                                                 const RenderedMask& mask) {
+        const int depth = mask.format.depth;
+        return kept(crossings, {key, offset, divisor, depth, mask.chip.depth}, [&] {
+            View seen = view;
+            seen.width = (view.width + divisor - 1) / divisor;
+            seen.height = (view.height + divisor - 1) / divisor;
+            return std::make_shared<const Crossings>(gnomon::crossingsOf(
+                scene, *litOf(key), light(mask.light), seen, tiesOf(depth, mask.chip.depth), offset));
+        });
+    }
+
+    const Eye& eyeOf(const LitKey& key) {
+        auto [at, isNew] = eyes.try_emplace(key);
+        if (isNew) {
+            const auto lit = litOf(key);
+            const glm::vec4& l = light(std::get<0>(key));
+            at->second = {holdingEye(scene, *lit, l, view.eye), onVolumeFace(scene, *lit, l, view.eye)};
+        }
+        return at->second;
+    }
+
+    static MaskArithmetic arithmeticOf(const RenderedMask& mask) {
+        const BufferFormat& f = mask.format;
+        return {.openGl = mask.chip.fidelity == Fidelity::Gl,
+                .unit = mask.chip.unit,
+                .dither = mask.chip.undithered,
+                .format = {"", f.red, f.green, f.blue, f.alpha},
+                .channel = mask.axes.store == Store::Alpha ? 3 : 0};
+    }
+
+    Explained explain(const RenderedMask& mask) {
+        Explained out;
+        const Axes& axes = mask.axes;
+        const auto causeEach = [&](const auto& causeOf) {
+            if (mask.judgement.wrong() == 0) return;
+            out.causes.assign(mask.values.size(), Cause::None);
+            for (std::size_t p = 0; p < mask.values.size(); ++p)
+                if (isWrong(mask.judgement.pixels[p])) out.causes[p] = causeOf(p);
+        };
+        if (axes.store == Store::None) {
+            causeEach([](std::size_t) { return Cause::NoShadowDrawn; });
+            return out;
+        }
+        if (axes.store == Store::DepthMap) {
+            causeEach([](std::size_t) { return Cause::MapResolution; });
+            return out;
+        }
+
+        const LitKey key{mask.light, axes.silhouette, axes.capFaces};
+        const auto found = crossingsOf(key, axes.offset, axes.maskDivisor, mask);
+        std::vector<int> planVolumes(volumesOf(*litOf(key)).size(), -1);
+        for (std::size_t v = 0; v < mask.ordinals.size(); ++v) planVolumes[mask.ordinals[v]] = int(v);
+        const Eye& eye = eyeOf(key);
+        const MaskInputs inputs{.plan = mask.plan,
+                                .light = mask.light,
+                                .crossings = *found,
+                                .arithmetic = arithmeticOf(mask),
+                                .planVolumes = planVolumes,
+                                .holdingEye = eye.held,
+                                .eyeOnFace = eye.onFace};
+        MaskPrediction prediction(inputs);
+        const WindowPrediction window(mask.plan, prediction, inputs.arithmetic.bits());
+
+        std::vector<bool> isUnpredicted(mask.values.size());
+        for (std::size_t p = 0; p < mask.values.size(); ++p) {
+            if (mask.judgement.pixels[p] == PixelVerdict::Tied || window.allows(p, mask.values[p])) continue;
+            isUnpredicted[p] = true;
+            ++out.unpredicted;
+        }
+
+        std::shared_ptr<const Crossings> whole, winding;
+        CauseInputs causes{.truth = mask.truth, .mask = inputs, .prediction = prediction};
+        causes.parity = axes.arithmetic == Arithmetic::Parity;
+        causes.halves = axes.arithmetic == Arithmetic::Halve;
+        causes.insideOut = axes.capFaces == CapFaces::Away;
+        causes.offset = axes.offset != 0;
+        causes.fullSize = [&]() -> const Crossings& {
+            return *(whole = crossingsOf(key, axes.offset, 1, mask));
+        };
+        if (mayLeak(axes.silhouette))
+            causes.winding = [&]() -> const Crossings& {
+                return *(winding = crossingsOf({mask.light, Silhouette::Winding, CapFaces::Lit}, 0, 1, mask));
+            };
+        Explainer explainer(causes);
+        causeEach(
+            [&](std::size_t p) { return isUnpredicted[p] ? Cause::Unexplained : explainer.causeOf(p); });
+        return out;
+    }
+};
+
+FramePredictor::FramePredictor(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
+FramePredictor::~FramePredictor() = default;
+
+void FramePredictor::select(const View& view) {
+    m_impl->view = view;
+    m_impl->crossings.clear();
+    m_impl->eyes.clear();
+}
+
+Explained FramePredictor::explain(const RenderedMask& mask) {
+    return m_impl->explain(mask);
+}
+
+}  // namespace gnomon

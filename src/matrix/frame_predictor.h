@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "gl/buffer_format.h"
+#include "gl/chip_arithmetic.h"
+#include "matrix/judge.h"
+#include "method/method.h"
+#include "predict/causes.h"
+#include "scene/scene.h"
+#include "scene/view.h"
+
+namespace gnomon {
+
+/// A rendered mask of one light, and what it was drawn from and with.
+struct RenderedMask {
+    const Plan& plan;
+    const Axes& axes;
+    const BufferFormat& format;
+    const ChipArithmetic& chip;
+    int light = 0;
+    const Truth& truth;
+    const Judgement& judgement;
+    /// Per pixel of the window, rows from the top; Rendered::values.
+    std::span<const std::uint16_t> values;
+    /// The drawn volumes' places among all; FrameVolumes::ordinals. Empty where the plan draws none by
+    /// number.
+    std::span<const std::uint32_t> ordinals{};
+};
+
+/// What became of a mask.
+struct Explained {
+    int unpredicted = 0;          ///< untied pixels that hold what the predictor does not allow
+    std::vector<Cause> causes{};  ///< by pixel; None where it is right or tied. Empty if all are
+};
+
+/// Holds rendered masks against their prediction, and says why wrong pixels are wrong. Keeps what the masks
+/// of one frame share.
+class FramePredictor {
+  public:
+    /// @p scene must outlive it
+    explicit FramePredictor(const Scene& scene);
+    ~FramePredictor();
+
+    /// The frame that is asked about from now on.
+    void select(const View& view);
+
+    Explained explain(const RenderedMask& mask);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> m_impl;
+};
+
+}  // namespace gnomon
