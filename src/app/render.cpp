@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/path.h"
+#include "report/cause_picture.h"
 #include "report/matrix_report.h"
 
 namespace gnomon {
@@ -59,6 +60,8 @@ std::string summary(const Cell& cell) {
         "{}\n",
         cell.wrongEdge, cell.wrongInterior, cell.tiedTruth, cell.tiedCount, cell.pixels);
     for (const auto& [cause, pixels] : cell.causes) text += fmt::format("  {}: {}\n", cause, pixels);
+    text += fmt::format("  unpredicted: {} untied pixels hold what exact arithmetic does not allow\n",
+                        cell.unpredicted);
     text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
                         cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
     text += fmt::format("  cost: {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",
@@ -76,10 +79,18 @@ void writeOutput(const std::string& file, const Image& image) {
     }
 }
 
+/// "mask.png" -> "mask-causes.png".
+std::string causesFile(const std::string& mask) {
+    if (mask.empty()) return mask;
+    std::filesystem::path path(mask);
+    path.replace_filename(path.stem().string() + "-causes.png");
+    return path.string();
+}
+
 /// Refuses outputs that could not be written, before anything is drawn, so that all of them appear or none.
 void checkOutputs(const Options& options) {
     std::vector<std::string> files;
-    for (const std::string& file : {options.image, options.mask, options.truth}) {
+    for (const std::string& file : {options.image, options.mask, causesFile(options.mask), options.truth}) {
         if (file.empty()) continue;
         const std::filesystem::path path(file);
         const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -133,6 +144,8 @@ int run(const Options& options) {
     if (cell.verdict != Verdict::Refused && cell.verdict != Verdict::Failed) {
         writeOutput(options.image, pictures.image);
         writeOutput(options.mask, pictures.mask);
+        if (!options.mask.empty())
+            writeOutput(causesFile(options.mask), causePicture(pictures.mask, pictures.causes));
         writeOutput(options.truth, pictures.truth);
     }
     fmt::print("{}", format == Format::Json  ? matrixJson({cell})

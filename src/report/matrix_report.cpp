@@ -233,6 +233,29 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     return text;
 }
 
+/// Whether masks are as predicted; where not, which.
+std::string predictionText(const std::vector<Cell>& cells) {
+    int drawn = 0, unpredicted = 0;
+    std::vector<std::string> where;
+    for (const Cell& cell : cells) {
+        if (cell.verdict == Verdict::Refused || cell.verdict == Verdict::Failed) continue;
+        ++drawn;
+        unpredicted += cell.unpredicted;
+        if (cell.unpredicted > 0) where.push_back(fmt::format("{} ({})", cell.id(), cell.unpredicted));
+    }
+    if (drawn == 0) return {};
+    if (unpredicted == 0) return "Every untied pixel of every mask holds what exact arithmetic predicts.\n\n";
+    constexpr std::size_t kMost = 8;
+    const std::size_t all = where.size();
+    if (all > kMost) where.resize(kMost);
+    return wrapText(
+               fmt::format("UNPREDICTED: {} untied pixels hold what exact arithmetic does not allow, in {} "
+                           "of {} masks: {}{}",
+                           unpredicted, all, drawn, fmt::join(where, ", "), all > kMost ? ", ..." : ""),
+               2) +
+           "\n\n";
+}
+
 }  // namespace
 
 std::string matrixText(const std::vector<Cell>& cells) {
@@ -250,6 +273,7 @@ std::string matrixText(const std::vector<Cell>& cells) {
     for (const auto& key : keys) text += tableOf(tables[key], notes) + "\n";
     const std::string noteText = notes.text(profiles);
     if (!noteText.empty()) text += fmt::format("Notes: refused for want of\n{}\n", noteText);
+    text += predictionText(cells);
     text +=
         "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all frames, at "
         "the\n"
@@ -268,12 +292,12 @@ std::string matrixJson(const std::vector<Cell>& cells) {
 
 std::string matrixCsv(const std::vector<Cell>& cells) {
     std::string text = csvLine(
-        {"cell",        "profile", "method",        "scene",        "store",         "arithmetic",
-         "levels",      "count",   "silhouette",    "mask_scale",   "apply",         "shade",
-         "width",       "height",  "frame",         "lights",       "fidelity",      "verdict",
-         "chosen",      "missing", "causes",        "passes_scene", "passes_volume", "passes_rectangle",
-         "passes_copy", "pixels",  "tied_truth",    "tied_count",   "wrong_edge",    "wrong_interior",
-         "vertices",    "cpu_ms",  "unshadowed_ms", "digest",       "error"});
+        {"cell",        "profile",  "method",     "scene",         "store",         "arithmetic",
+         "levels",      "count",    "silhouette", "mask_scale",    "apply",         "shade",
+         "width",       "height",   "frame",      "lights",        "fidelity",      "verdict",
+         "chosen",      "missing",  "causes",     "passes_scene",  "passes_volume", "passes_rectangle",
+         "passes_copy", "pixels",   "tied_truth", "tied_count",    "wrong_edge",    "wrong_interior",
+         "unpredicted", "vertices", "cpu_ms",     "unshadowed_ms", "digest",        "error"});
     for (const Cell& c : cells) {
         std::vector<std::string> missing, causes;
         for (const Missing& m : c.missing) missing.push_back(m.what);
@@ -309,6 +333,7 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          number(c.tiedCount),
                          number(c.wrongEdge),
                          number(c.wrongInterior),
+                         number(c.unpredicted),
                          number(c.vertices),
                          fmt::format("{:.3f}", c.cpuMs),
                          fmt::format("{:.3f}", c.unshadowedMs),
