@@ -54,24 +54,24 @@ class CountImage {
         const double slope = rise > 0 ? (edge.high.x - edge.low.x) / rise : 0;
         const double beside = kMargin * std::sqrt(1 + slope * slope);
         const int first = rowFrom(edge.low.y), last = rowFrom(edge.high.y);
+        const double move = by > 0 ? -beside : beside;
+        touch(first, last);
         for (int row = first; row < last; ++row) {
-            const double x = edge.low.x + (row + 0.5 - edge.low.y) * slope;
-            if (by > 0)
-                add(row, columnFrom(std::clamp(x - beside, left, right)), by);
-            else
-                add(row, columnFrom(std::nextafter(std::clamp(x + beside, left, right), right + 1)), by);
+            const double x = std::clamp(edge.low.x + (row + 0.5 - edge.low.y) * slope + move, left, right);
+            add(row, by > 0 ? columnFrom(x) : columnAfter(x), by);
         }
         // Rows whose centres lie just beyond the ends: whatever is there may be seen across the edge.
         const auto atEnd = [&](const glm::dvec2& end, double onward, int row) {
             const double reach = rise > kMargin ? onward * slope * kMargin : onward * (right - left);
             const double a = std::clamp(std::min(end.x, end.x + reach) - kMargin, left, right);
             const double b = std::clamp(std::max(end.x, end.x + reach) + kMargin, left, right);
+            touch(row, row + 1);
             add(row, columnFrom(a), std::abs(by));
-            add(row, columnFrom(std::nextafter(b, b + 1)), -std::abs(by));
+            add(row, columnAfter(b), -std::abs(by));
         };
         for (int row = rowFrom(edge.low.y - kMargin); row < first; ++row) atEnd(edge.low, 1, row);
-        const int end = rowFrom(std::nextafter(edge.high.y + kMargin, m_height + 2.0));
-        for (int row = std::max(first, last); row < end; ++row) atEnd(edge.high, -1, row);
+        const int end = rowAfter(edge.high.y + kMargin);
+        for (int row = last; row < end; ++row) atEnd(edge.high, -1, row);
     }
 
     /// Empties it, having called @p visit(pixel, count) for all pixels of the rows that were touched.
@@ -90,13 +90,23 @@ class CountImage {
     }
 
   private:
-    /// The first row whose centre is at @p y or above.
-    int rowFrom(double y) const { return int(std::ceil(std::clamp(y - 0.5, 0.0, double(m_height)))); }
-    int columnFrom(double x) const { return int(std::ceil(std::clamp(x - 0.5, 0.0, double(m_width)))); }
+    /// The first of @p all pixels whose centre is at @p position or beyond; and the first beyond.
+    static int from(double position, int all) {
+        const double shifted = std::clamp(position - 0.5, 0.0, double(all));
+        const int below = int(shifted);
+        return below + (below < shifted);
+    }
+    static int after(double position, int all) { return int(std::clamp(position + 0.5, 0.0, double(all))); }
+    int rowFrom(double y) const { return from(y, m_height); }
+    int rowAfter(double y) const { return after(y, m_height); }
+    int columnFrom(double x) const { return from(x, m_width); }
+    int columnAfter(double x) const { return after(x, m_width); }
 
+    void touch(int first, int end) {
+        if (first < end) m_firstRow = std::min(m_firstRow, first), m_endRow = std::max(m_endRow, end);
+    }
     void add(int row, int column, int by) {
         m_steps[std::size_t(row) * std::size_t(m_width + 1) + std::size_t(column)] += by;
-        m_firstRow = std::min(m_firstRow, row), m_endRow = std::max(m_endRow, row + 1);
     }
 
     int m_width, m_height;
@@ -317,10 +327,11 @@ class Rays {
 /// Collects the faces of all volumes and counts them.
 class Counter {
   public:
-    Counter(const View& view, CountedFrom from)
+    Counter(const View& view, CountedFrom from, float offset)
         : m_width(view.width),
           m_height(view.height),
           m_from(from),
+          m_offset(offset),
           m_window(view),
           m_own(view.width, view.height),
           m_convex(view.width, view.height),
@@ -331,7 +342,7 @@ class Counter {
         const Parts open = Part::Sides | Part::FarCap;
         const Parts parts = open | (m_from == CountedFrom::Eye ? Part::NearCap : Part::LightCap);
         m_edges.clear();
-        cutVolume(scene, caster, light, view, parts, {},
+        cutVolume(scene, caster, light, view, parts, {.offset = m_offset},
                   [&](Part part, std::span<const glm::vec4> polygon, bool reversed) {
                       addFace(part, m_window.cut(polygon), reversed);
                   });
@@ -349,12 +360,18 @@ class Counter {
             });
     }
 
-    Nesting result() {
+    /// All but overlap and levels. Only once.
+    Nesting counts() {
         Nesting nesting;
         m_convex.take([&](std::size_t pixel, int count) { m_fronts[pixel] += count; });
         m_exits.take([&](std::size_t, int count) { nesting.backs = std::max(nesting.backs, count); });
         nesting.fronts = m_fronts.empty() ? 0 : *std::max_element(m_fronts.begin(), m_fronts.end());
         nesting.ownFronts = std::max(m_ownFronts, m_hasConvex ? std::min(nesting.fronts, 1) : 0);
+        return nesting;
+    }
+
+    Nesting countsAndDepths() {
+        Nesting nesting = counts();
         Rays(m_faces, m_points, m_fronts, m_width, m_height).measure(nesting);
         return nesting;
     }
@@ -406,6 +423,7 @@ class Counter {
 
     int m_width, m_height;
     CountedFrom m_from;
+    float m_offset;
     WindowClip<glm::vec4> m_window;
     CountImage m_own, m_convex, m_exits;
     std::vector<int> m_fronts;  ///< of all volumes, pixel by pixel
@@ -416,6 +434,26 @@ class Counter {
     bool m_hasConvex = false;
 };
 
+/// A caster whose volume holds each point as often as those of the triangles of @p caster do: where two of
+/// them meet, their sides cancel.
+LitCaster merged(const LitCaster& caster) {
+    LitCaster whole{.object = caster.object, .lit = caster.lit};
+    std::vector<Side> sides = caster.sides;
+    for (Side& side : sides)
+        if (side.from > side.to) side = {side.to, side.from, -side.weight};
+    const auto edge = [](const Side& side) { return std::pair(side.from, side.to); };
+    std::sort(sides.begin(), sides.end(), [&](const Side& a, const Side& b) { return edge(a) < edge(b); });
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        int weight = 0;
+        for (; end < sides.size() && edge(sides[end]) == edge(sides[begin]); ++end)
+            weight += sides[end].weight;
+        const auto [low, high] = edge(sides[begin]);
+        if (weight > 0) whole.sides.push_back({low, high, weight});
+        if (weight < 0) whole.sides.push_back({high, low, -weight});
+    }
+    return whole;
+}
+
 }  // namespace
 
 Nesting deepest(const Nesting& a, const Nesting& b) {
@@ -424,13 +462,16 @@ Nesting deepest(const Nesting& a, const Nesting& b) {
 }
 
 Nesting nesting(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light, const View& view,
-                CountedFrom from) {
-    Counter counter(view, from);
+                CountedFrom from, float offset) {
+    Counter counter(view, from, offset);
+    std::vector<LitCaster> whole;
     for (const LitCaster& caster : lit) {
         if (!caster.perTriangle) {
+            whole.push_back(caster);
             counter.add(scene, caster, light, view);
             continue;
         }
+        whole.push_back(merged(caster));
         for (std::size_t i = 0; i < caster.lit.size(); ++i) {
             const auto sides = caster.sides.begin() + std::ptrdiff_t(3 * i);
             counter.add(scene,
@@ -441,7 +482,12 @@ Nesting nesting(const Scene& scene, std::span<const LitCaster> lit, const glm::v
                         light, view);
         }
     }
-    return counter.result();
+    if (std::none_of(lit.begin(), lit.end(), [](const LitCaster& c) { return c.perTriangle; }))
+        return counter.countsAndDepths();
+    Nesting result = counter.counts();
+    result.overlap = std::min(result.fronts, nesting(scene, whole, light, view, from, offset).overlap);
+    result.levels = std::min(result.fronts, result.overlap + result.ownFronts);
+    return result;
 }
 
 }  // namespace gnomon

@@ -41,8 +41,9 @@ Nesting deepest(const Nesting& a, const Nesting& b);
 /// never more than fronts. A frame with more than some million crossings is not looked at that closely, and
 /// both are its fronts.
 ///
-/// @param lit  as of frameVolumes(), in drawing order
+/// @param lit     as of frameVolumes(), in drawing order
+/// @param offset  as of CutStyle
 Nesting nesting(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light, const View& view,
-                CountedFrom from = CountedFrom::Eye);
+                CountedFrom from = CountedFrom::Eye, float offset = 0);
 
 }  // namespace gnomon

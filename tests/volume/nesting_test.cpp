@@ -43,13 +43,14 @@ class BruteForce {
     Nesting at(double x, double y) const {
         const glm::dvec3 d = rayDirection(m_view, x, y);
         std::vector<Event> events;
+        double surface = std::numeric_limits<double>::infinity();
         for (const Cap& cap : m_caps) {
-            if (m_from == CountedFrom::Eye) {
-                if (hides(cap, m_view.eye + m_view.nearPlane * d))
-                    events.push_back({m_view.nearPlane, cap.volume, 1, 1});
-            } else if (const auto t = crossing(cap.corners, m_view.eye, d); t && *t > m_view.nearPlane) {
+            if (m_from == CountedFrom::Eye && hides(cap, m_view.eye + m_view.nearPlane * d))
+                events.push_back({m_view.nearPlane, cap.volume, 1, 1});
+            if (const auto t = crossing(cap.corners, m_view.eye, d); t && *t > m_view.nearPlane) {
                 const bool isFront = glm::dot(d, normal(cap)) < 0;
-                events.push_back({*t, cap.volume, isFront ? 1 : -1, 1});
+                if (m_from == CountedFrom::Infinity) events.push_back({*t, cap.volume, isFront ? 1 : -1, 1});
+                surface = std::min(surface, *t);
             }
             if (m_light.w == 0) continue;
             const glm::dvec3 l(m_light);
@@ -67,7 +68,7 @@ class BruteForce {
         }
         if (m_from == CountedFrom::Infinity)
             for (Event& e : events) e.t = -e.t, e.enters = -e.enters;
-        return along(events);
+        return along(events, m_from == CountedFrom::Eye ? surface : 0);
     }
 
     Nesting everywhere() const {
@@ -130,16 +131,21 @@ class BruteForce {
         return m_light.w == 0 ? u >= 0 && u <= 1 && v >= 0 : u >= 0 && v >= 0 && u + v >= 1;
     }
 
-    static Nesting along(std::vector<Event>& events) {
+    /// @param end  of what can be seen: what light caps hide is in volumes that were never entered
+    static Nesting along(std::vector<Event>& events, double end) {
         std::stable_sort(events.begin(), events.end(),
                          [](const Event& a, const Event& b) { return a.t < b.t; });
         Nesting most;
         std::map<int, std::pair<int, int>> volumes;  // entries, exits
-        for (const Event& e : events) {
+        for (std::size_t i = 0; i < events.size(); ++i) {
+            const Event& e = events[i];
             auto& [entries, exits] = volumes[e.volume];
             (e.enters > 0 ? entries : exits) += e.weight;
             (e.enters > 0 ? most.fronts : most.backs) += e.weight;
             most.ownFronts = std::max(most.ownFronts, entries);
+            // Sides of two volumes that coincide are crossed at once.
+            const bool more = i + 1 < events.size() && events[i + 1].t - e.t <= 1e-9 * std::abs(e.t);
+            if (more || e.t >= end) continue;
             int holding = 0, level = 0;
             for (const auto& [volume, counts] : volumes) {
                 level = std::max(level, holding + counts.first);
