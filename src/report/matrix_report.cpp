@@ -215,7 +215,8 @@ std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<
                 addOnce(line.frames, cell->frame);
             }
         }
-        for (auto& [limit, line] : byLimit) {
+        for (auto& limited : byLimit) {
+            Line& line = limited.second;
             if (line.chips.size() == drawn.size()) line.chips.clear();  // all
             const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
                 return other.text == line.text && other.chips == line.chips && other.frames == line.frames;
