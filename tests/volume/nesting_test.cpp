@@ -304,6 +304,22 @@ TEST(Nesting, IsAtMostTwiceTheTruthOnShippedScenes) {
     }
 }
 
+/// Fronts of an upright wedge that ends at @p x in the window, at the left of it.
+int frontsOfWedgeUpTo(double x) {
+    const View view = viewOf({.eye = {0, 0, 5}, .target = {0, 0, 0}, .fovDegrees = 90}, 16, 12);
+    const glm::dvec3 tip = view.eye + 5.0 * rayDirection(view, x, 6);
+    const Mesh wedge{{{tip.x, 10, 0}, {-50, 10, -0.5f}, {-50, 10, 0.5f}}, {{0, 1, 2}}};
+    const Scene scene = sceneOf(wedge);
+    const glm::vec4 above(0, 1, 0, 0);
+    return nesting(scene, litCasters(scene, above, Silhouette::Winding), above, view).fronts;
+}
+
+TEST(Nesting, CountsWhatEndsLessThanARoundingBesideACentre) {
+    EXPECT_EQ(frontsOfWedgeUpTo(0.5 + 0.5 / 256), 1);
+    EXPECT_EQ(frontsOfWedgeUpTo(0.5 - 0.7 / 256), 1);
+    EXPECT_EQ(frontsOfWedgeUpTo(0.5 - 1.5 / 256), 0);
+}
+
 TEST(Nesting, OfNothingIsNothing) {
     Scene scene = sceneOf(cube({0, 0, 0}, 1));
     scene.objects[0].casts = false;
