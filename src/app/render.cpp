@@ -62,6 +62,7 @@ std::string summary(const Cell& cell) {
     for (const auto& [cause, pixels] : cell.causes) text += fmt::format("  {}: {}\n", cause, pixels);
     text += fmt::format("  unpredicted: {} untied pixels hold what exact arithmetic does not allow\n",
                         cell.unpredicted);
+    for (const std::string& warning : cell.warnings) text += fmt::format("  warning: {}\n", warning);
     text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
                         cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
     text += fmt::format("  cost: {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",

@@ -7,6 +7,7 @@
 
 #include "method/method.h"
 #include "plan/plan.h"
+#include "volume/nesting.h"
 
 namespace gnomon {
 
@@ -40,6 +41,9 @@ struct Cell {
     long vertices = 0;                   ///< drawn in all passes
     double cpuMs = 0, unshadowedMs = 0;  ///< thread CPU time of the frame, and of the same without shadows
     std::string digest{};                ///< over mask and image, 16 hexadecimal digits
+
+    Nesting nesting{};                    ///< bounds for the method's mask; of several lights the largest
+    std::vector<std::string> warnings{};  ///< where the bounds pass the method's capacity on this chip
 
     std::string id() const;  ///< "voodoo2/roettger-screen/roettger/512x512/0"
 };

@@ -58,6 +58,9 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"tied", {{"truth", c.tiedTruth}, {"count", c.tiedCount}}},
         {"wrong", {{"edge", c.wrongEdge}, {"interior", c.wrongInterior}}},
         {"unpredicted", c.unpredicted},
+        {"nesting",
+         {{"fronts", c.nesting.fronts}, {"overlap", c.nesting.overlap}, {"levels", c.nesting.levels}}},
+        {"warnings", c.warnings},
         {"vertices", c.vertices},
         {"cpu_ms", rounded(c.cpuMs)},
         {"unshadowed_ms", rounded(c.unshadowedMs)},
@@ -112,6 +115,9 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.tiedTruth = j.at("tied").at("truth"), c.tiedCount = j.at("tied").at("count");
     c.wrongEdge = j.at("wrong").at("edge"), c.wrongInterior = j.at("wrong").at("interior");
     c.unpredicted = j.at("unpredicted");
+    const auto& n = j.at("nesting");
+    c.nesting = {.fronts = n.at("fronts"), .overlap = n.at("overlap"), .levels = n.at("levels")};
+    c.warnings = j.at("warnings");
     c.vertices = j.at("vertices");
     c.cpuMs = j.at("cpu_ms"), c.unshadowedMs = j.at("unshadowed_ms");
     c.digest = j.at("digest");

@@ -9,7 +9,9 @@
 #include "gl/capability.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
+#include "method/capacity.h"
 #include "volume/blockers.h"
+#include "volume/nesting.h"
 #include "volume/silhouette_finder.h"
 
 namespace gnomon {
@@ -122,6 +124,7 @@ struct Lab::Impl {
     std::map<std::string, Cell> results{};
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
+    std::map<std::tuple<int, VolumeKey, int, int>, Nesting> nestings{};  ///< by light, volumes, size
     LightFrame current{};
     std::optional<FramePredictor> predictor{};
 
@@ -141,6 +144,7 @@ struct Lab::Impl {
         unshadowed.clear();
         eyeInside.clear();
         if (predictor) predictor->select(view());
+        nestings.clear();
     }
 
     View view() const { return viewOf(scene.frames[std::size_t(key.frame)], key.width, key.height); }
@@ -296,6 +300,29 @@ struct Lab::Impl {
         return all;
     }
 
+    /// How deep volumes may nest in the mask, and whether that is too deep.
+    void addNesting(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan) {
+        if (axes.store == Store::None || axes.store == Store::DepthMap) return;
+        View mask = view();
+        mask.width = plan.maskWidth, mask.height = plan.maskHeight;
+        const CountedFrom from = countedFrom(axes);
+        for (int i = 0; i < lights(); ++i) {
+            // All that are counted from one end are counted alike.
+            const VolumeKey which{axes.silhouette,
+                                  axes.capFaces,
+                                  partsOf(from == CountedFrom::Eye ? Count::ZpassCap : Count::Zfail),
+                                  {.offset = axes.offset}};
+            auto [at, isNew] = nestings.try_emplace({i, which, mask.width, mask.height});
+            if (isNew)
+                at->second = nesting(scene, litOf(i, axes.silhouette, axes.capFaces), light(i).position, mask,
+                                     from, axes.offset);
+            cell.nesting = deepest(cell.nesting, at->second);
+        }
+        const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
+        if (const auto warning = nestingWarning(capacity(axes, profile, doubled), cell.nesting))
+            cell.warnings.push_back(*warning);
+    }
+
     void draw(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
         cell.unshadowedMs = unshadowedMs(profile);
@@ -432,6 +459,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             cell.passes = countPasses(plan);
             return cell;
         }
+        m_impl->addNesting(cell, profile, axes, plan);
         const std::string key = resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity),
                                           plan, axes, m_impl->volumeKeys(profile, axes));
         const auto known = m_impl->results.find(key);
@@ -440,6 +468,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             same.profile = profile.id;
             same.method = cell.method;
             same.axes = axes;
+            same.nesting = cell.nesting, same.warnings = cell.warnings;
             return same;
         }
         m_impl->draw(cell, profile, axes, plan, pictures, afterPass);

@@ -37,6 +37,12 @@ std::string chipsText(const std::vector<std::string>& chips, const std::vector<s
     return others.empty() ? "all" : fmt::format("all but {}", fmt::join(others, " "));
 }
 
+/// The row of the table. The shade is no part of a method's name: where several run, the row says which.
+std::string rowOf(const Cell& cell) {
+    if (cell.axes.shade == Shade::Attenuated) return cell.method;
+    return fmt::format("{} {}", cell.method, name(cell.axes.shade));
+}
+
 /// All frames of one method on one chip.
 struct Entry {
     Verdict verdict = Verdict::Exact;
@@ -185,16 +191,63 @@ std::string blocksOf(const std::vector<std::string>& methods, const std::vector<
     return text;
 }
 
+/// Where volumes may nest deeper than methods can count: a line for each warning, with the methods, chips and
+/// frames of which not all are meant. Of warnings that differ only in how deep, the deepest.
+std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<std::string>& methods,
+                       const std::vector<Column>& columns, const std::vector<int>& frames) {
+    struct Line {
+        std::string text{};
+        std::vector<std::string> methods{}, chips{};
+        std::vector<int> frames{};
+    };
+    std::vector<Line> lines;
+    for (const std::string& method : methods) {
+        std::map<std::string, Line> byLimit;
+        std::vector<std::string> drawn;
+        for (const Cell* cell : cells) {
+            if (rowOf(*cell) != method) continue;
+            if (cell->missing.empty()) addOnce(drawn, cell->profile);
+            for (const std::string& warning : cell->warnings) {
+                Line& line = byLimit[warning.substr(0, warning.find(';'))];
+                if (std::pair(line.text.size(), line.text) < std::pair(warning.size(), warning))
+                    line.text = warning;
+                addOnce(line.chips, cell->profile);
+                addOnce(line.frames, cell->frame);
+            }
+        }
+        for (auto& limited : byLimit) {
+            Line& line = limited.second;
+            if (line.chips.size() == drawn.size()) line.chips.clear();  // all
+            const auto same = std::find_if(lines.begin(), lines.end(), [&](const Line& other) {
+                return other.text == line.text && other.chips == line.chips && other.frames == line.frames;
+            });
+            if (same == lines.end())
+                lines.push_back({line.text, {method}, line.chips, line.frames});
+            else
+                same->methods.push_back(method);
+        }
+    }
+    std::string text;
+    for (const Line& line : lines) {
+        std::vector<std::string> where;
+        if (line.frames.size() < frames.size())
+            where.push_back(
+                fmt::format("frame{} {}", line.frames.size() > 1 ? "s" : "", fmt::join(line.frames, " ")));
+        if (!line.chips.empty()) where.push_back(headsText(line.chips, columns));
+        const std::string at = where.empty() ? "" : fmt::format(" ({})", fmt::join(where, "; "));
+        text += fmt::format(
+            "  {}\n", wrapText(fmt::format("{}: {}{}", fmt::join(line.methods, ", "), line.text, at), 5));
+    }
+    return text.empty() ? text : "\nVolumes may nest too deep\n" + text;
+}
+
 /// One table with its legend and causes; what is refused or failed goes into @p notes.
 std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     std::vector<std::string> profiles, methods;
     std::vector<int> frames;
     std::map<std::pair<std::string, std::string>, std::vector<const Cell*>> entries;
     for (const Cell* cell : cells) {
-        // The shade is no part of a method's name: where several run, the row says which.
-        const std::string row =
-            fmt::format("{}{}{}", cell->method, cell->axes.shade == Shade::Attenuated ? "" : " ",
-                        cell->axes.shade == Shade::Attenuated ? "" : name(cell->axes.shade));
+        const std::string row = rowOf(*cell);
         addOnce(profiles, cell->profile);
         addOnce(methods, row);
         addOnce(frames, cell->frame);
@@ -230,6 +283,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
     for (const auto& [cause, where] : causes)
         text += fmt::format("  {}\n", wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5));
+    text += warningsOf(cells, methods, groups, frames);
     return text;
 }
 
@@ -291,13 +345,20 @@ std::string matrixJson(const std::vector<Cell>& cells) {
 }
 
 std::string matrixCsv(const std::vector<Cell>& cells) {
-    std::string text = csvLine(
-        {"cell",        "profile",  "method",     "scene",         "store",         "arithmetic",
-         "levels",      "count",    "silhouette", "mask_scale",    "apply",         "shade",
-         "width",       "height",   "frame",      "lights",        "fidelity",      "verdict",
-         "chosen",      "missing",  "causes",     "passes_scene",  "passes_volume", "passes_rectangle",
-         "passes_copy", "pixels",   "tied_truth", "tied_count",    "wrong_edge",    "wrong_interior",
-         "unpredicted", "vertices", "cpu_ms",     "unshadowed_ms", "digest",        "error"});
+    std::string text = csvLine({"cell",           "profile",        "method",
+                                "scene",          "store",          "arithmetic",
+                                "levels",         "count",          "silhouette",
+                                "mask_scale",     "apply",          "shade",
+                                "width",          "height",         "frame",
+                                "lights",         "fidelity",       "verdict",
+                                "chosen",         "missing",        "causes",
+                                "passes_scene",   "passes_volume",  "passes_rectangle",
+                                "passes_copy",    "pixels",         "tied_truth",
+                                "tied_count",     "wrong_edge",     "wrong_interior",
+                                "unpredicted",    "nesting_fronts", "nesting_overlap",
+                                "nesting_levels", "warnings",       "vertices",
+                                "cpu_ms",         "unshadowed_ms",  "digest",
+                                "error"});
     for (const Cell& c : cells) {
         std::vector<std::string> missing, causes;
         for (const Missing& m : c.missing) missing.push_back(m.what);
@@ -334,6 +395,10 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          number(c.wrongEdge),
                          number(c.wrongInterior),
                          number(c.unpredicted),
+                         number(c.nesting.fronts),
+                         number(c.nesting.overlap),
+                         number(c.nesting.levels),
+                         fmt::format("{}", fmt::join(c.warnings, "; ")),
                          number(c.vertices),
                          fmt::format("{:.3f}", c.cpuMs),
                          fmt::format("{:.3f}", c.unshadowedMs),

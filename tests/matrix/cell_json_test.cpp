@@ -33,6 +33,8 @@ Cell fullCell() {
     c.pixels = 196608;
     c.tiedTruth = 12, c.tiedCount = 5;
     c.wrongEdge = 8, c.wrongInterior = 11;
+    c.nesting = {.fronts = 6, .overlap = 3, .levels = 4};
+    c.warnings = {"resolves 3 levels; up to 4 volumes or fronts may nest"};
     c.cpuMs = 1.96, c.unshadowedMs = 0.71;
     c.digest = "00ff00ff00ff00ff";
     return c;
@@ -47,15 +49,16 @@ std::vector<std::string> keysOf(const Json& object) {
 // Of the design's list, "unpredicted" comes with the predictor; "chosen" marks the path of a chip.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
-        "cell",       "profile",    "method", "scene",         "store",  "arithmetic", "levels", "count",
-        "silhouette", "mask_scale", "apply",  "shade",         "width",  "height",     "frame",  "lights",
-        "fidelity",   "verdict",    "chosen", "missing",       "causes", "passes",     "pixels", "tied",
-        "wrong",      "vertices",   "cpu_ms", "unshadowed_ms", "digest"};
+        "cell",       "profile",    "method",   "scene",    "store",  "arithmetic",    "levels", "count",
+        "silhouette", "mask_scale", "apply",    "shade",    "width",  "height",        "frame",  "lights",
+        "fidelity",   "verdict",    "chosen",   "missing",  "causes", "passes",        "pixels", "tied",
+        "wrong",      "nesting",    "warnings", "vertices", "cpu_ms", "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));
     EXPECT_THAT(keysOf(json["tied"]), ElementsAreArray({"truth", "count"}));
     EXPECT_THAT(keysOf(json["wrong"]), ElementsAreArray({"edge", "interior"}));
+    EXPECT_THAT(keysOf(json["nesting"]), ElementsAreArray({"fronts", "overlap", "levels"}));
 }
 
 TEST(CellJson, PutsEachValueUnderItsName) {
@@ -69,6 +72,8 @@ TEST(CellJson, PutsEachValueUnderItsName) {
     EXPECT_EQ(json["causes"].dump(), R"({"mask clamps":17,"unexplained":2})");
     EXPECT_EQ(json["missing"][0].dump(),
               R"({"capability":"stencil_bits","what":"stencil","source":"M-TDFX"})");
+    EXPECT_EQ(json["nesting"].dump(), R"({"fronts":6,"overlap":3,"levels":4})");
+    EXPECT_EQ(json["warnings"].dump(), R"(["resolves 3 levels; up to 4 volumes or fronts may nest"])");
     EXPECT_EQ(json["cpu_ms"], 1.96);
     EXPECT_EQ(json["unshadowed_ms"], 0.71);
 }
@@ -77,6 +82,7 @@ TEST(CellJson, KeepsEmptyListsAndObjects) {
     const Json json = toJson(Cell{});
     EXPECT_EQ(json["missing"].dump(), "[]");
     EXPECT_EQ(json["causes"].dump(), "{}");
+    EXPECT_EQ(json["warnings"].dump(), "[]");
 }
 
 TEST(CellJson, WritesMaskScaleAsANumber) {
@@ -115,6 +121,8 @@ TEST(CellJson, ComesBackAsItWas) {
         EXPECT_EQ(back.axes, cell.axes);
         EXPECT_EQ(back.missing, cell.missing);
         EXPECT_EQ(back.error, cell.error);
+        EXPECT_EQ(back.nesting, cell.nesting);
+        EXPECT_EQ(back.warnings, cell.warnings);
     }
 }
 

@@ -269,6 +269,25 @@ TEST(Lab, GivesTheSameResultWhetherDrawnOrKnown) {
     EXPECT_EQ(resultOf(again), resultOf(drawn));
 }
 
+// The knot's shadow volume is folded over itself; the stencil has room for that, doubling has not.
+TEST(Lab, WarnsWhereVolumesMayNestDeeperThanTheMethodCounts) {
+    Lab lab(shippedScene("knot"));
+    const auto cellOf = [&](const std::string& profile, const std::string& id) {
+        return lab.run(chip(profile), method(id), 160, 120, 0);
+    };
+    for (const char* id : {"roettger-screen", "screen-zfail"}) {
+        const Cell deep = cellOf("ideal", id);
+        EXPECT_GT(deep.nesting.levels, 2) << id;
+        EXPECT_THAT(deep.warnings, testing::ElementsAre(testing::StartsWith("resolves 2 levels; up to ")))
+            << id;
+        EXPECT_EQ(cellOf("tnt", id).warnings, deep.warnings) << id;
+    }
+    EXPECT_GT(cellOf("ideal", "heidmann").nesting.fronts, 2);
+    EXPECT_THAT(cellOf("ideal", "heidmann").warnings, testing::IsEmpty());
+    EXPECT_EQ(cellOf("ideal", "none").nesting, Nesting{});
+    EXPECT_EQ(cellOf("voodoo2", "heidmann").nesting, Nesting{});  // refused
+}
+
 TEST(Lab, TellsFramesMethodsAndSizesApart) {
     Lab lab(shippedScene("boxes"));
     const Cell first = lab.run(chip("ideal"), method("roettger-screen"), 96, 64, 3);

@@ -230,6 +230,37 @@ TEST(MatrixText, TellsShadesApart) {
     EXPECT_THAT(matrixText(all), HasSubstr("\nroettger-screen black  "));
 }
 
+/// cells(), with a warning that depends on the frame for what doubles, and one for a chip.
+std::vector<Cell> cellsWithWarnings() {
+    std::vector<Cell> all = cells();
+    for (Cell& c : all) {
+        if (c.verdict == Verdict::Refused) continue;
+        if (c.axes.arithmetic == Arithmetic::Double)
+            c.warnings = {c.frame == 0 ? "resolves 2 levels; up to 9 volumes or fronts may nest"
+                                       : "resolves 2 levels; up to 12 volumes or fronts may nest"};
+        if (c.method == "roettger-screen-max" && c.profile == "voodoo2" && c.frame == 15)
+            c.nesting = {.fronts = 14, .overlap = 11, .levels = 12},
+            c.warnings = {"resolves 5 levels in 5 bits; up to 12 volumes or fronts may nest"};
+    }
+    return all;
+}
+
+TEST(MatrixText, WarnsOnceOfTheDeepestNestingForAllMethodsChipsAndFrames) {
+    const std::vector<std::string> lines = linesOf(matrixText(cellsWithWarnings()));
+    const auto head = std::find(lines.begin(), lines.end(), "Volumes may nest too deep");
+    ASSERT_NE(head, lines.end());
+    EXPECT_EQ(head[1],
+              "  roettger-screen, roettger-alpha: resolves 2 levels; up to 12 volumes or fronts may nest");
+    EXPECT_EQ(head[2] + head[3].substr(4),
+              "  roettger-screen-max: resolves 5 levels in 5 bits; up to 12 volumes or fronts may nest "
+              "(frame 15; voodoo2)");
+    EXPECT_EQ(head[4], "");
+}
+
+TEST(MatrixText, SaysNothingOfNestingWithoutWarnings) {
+    EXPECT_THAT(matrixText(cells()), Not(HasSubstr("nest")));
+}
+
 TEST(MatrixJson, HasOneObjectPerCell) {
     const auto json = nlohmann::json::parse(matrixJson(cells()));
     ASSERT_TRUE(json.is_array());
@@ -249,18 +280,23 @@ TEST(MatrixCsv, HasAsManyFieldsInEachLineAsInItsHead) {
 }
 
 TEST(MatrixCsv, PutsEachValueUnderItsHead) {
-    const auto records = readCsv(matrixCsv(cells()));
+    const std::vector<Cell> cells = cellsWithWarnings();
+    const auto records = readCsv(matrixCsv(cells));
     const auto field = [&](std::size_t cell, const std::string& head) {
         const auto at = std::find(records[0].begin(), records[0].end(), head);
         return at == records[0].end() ? "no " + head
                                       : records[cell + 1][std::size_t(at - records[0].begin())];
     };
-    for (std::size_t i = 0; i < cells().size(); ++i) {
-        const Cell c = cells()[i];
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const Cell c = cells[i];
         EXPECT_EQ(field(i, "cell"), c.id());
         EXPECT_EQ(field(i, "verdict"), name(c.verdict));
         EXPECT_EQ(field(i, "wrong_edge"), std::to_string(c.wrongEdge));
         EXPECT_EQ(field(i, "wrong_interior"), std::to_string(c.wrongInterior));
+        EXPECT_EQ(field(i, "nesting_fronts"), std::to_string(c.nesting.fronts));
+        EXPECT_EQ(field(i, "nesting_overlap"), std::to_string(c.nesting.overlap));
+        EXPECT_EQ(field(i, "nesting_levels"), std::to_string(c.nesting.levels));
+        EXPECT_EQ(field(i, "warnings"), c.warnings.empty() ? "" : c.warnings[0]);
         EXPECT_EQ(field(i, "passes_rectangle"), "3");
         EXPECT_EQ(field(i, "chosen"), c.chosen ? "true" : "false");
         EXPECT_EQ(field(i, "digest"), c.digest);
