@@ -7,7 +7,7 @@
 namespace gnomon {
 
 std::span<const std::string_view> causeNames() {
-    static constexpr std::array<std::string_view, 22> kNames{
+    static constexpr std::array<std::string_view, 23> kNames{
         "mask clamps",
         "mask underflows",
         "mask wraps",
@@ -24,6 +24,7 @@ std::span<const std::string_view> causeNames() {
         "parity of overlapping volumes",
         "open or inconsistently wound caster",
         "inside of a caster",
+        "volume begins behind its caster",
         "rounding residue",
         "dither drift",
         "shadow-map resolution",
