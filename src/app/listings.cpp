@@ -60,13 +60,14 @@ void addMethods(CLI::App& app, int& status) {
 
 void addScenes(CLI::App& app, int& status) {
     const auto options = std::make_shared<Options>();
-    addListing(app, "scenes", "The scenes that come with gnomon, or one scene or mesh file", options)
+    addListing(app, "scenes", "The scenes and hard cases that come with gnomon, or one scene or mesh file",
+               options)
         ->callback([options, &status] {
             SceneOption choice;
-            if (!options->id.empty()) choice.ids = {options->id};
+            choice.ids = {options->id.empty() ? "all" : options->id};
             const auto scenes = choice.load();
             fmt::print("{}", listScenes(scenes, options->format.value()));
-            if (!options->id.empty())
+            if (scenes.size() == 1)
                 for (const std::string& note : scenes.front().notes)
                     fmt::print(stderr, "{}: {}\n", scenes.front().id, note);
             status = 0;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "method/from_words.h"
 #include "profile/words.h"
 
 namespace gnomon {
@@ -15,14 +16,12 @@ namespace {
 constexpr int kLargestSide = 8192;
 constexpr int kMostLights = 8;  ///< unless the user asks for more
 
-/// The value of an enumeration whose words are @p names in order.
+/// The value of an enumeration that is called @p word.
 template <class Enum>
 Enum wordOf(const std::string& flag, const std::string& word, int count) {
+    if (const auto value = fromWord<Enum>(word, count)) return *value;
     std::vector<std::string> known;
-    for (int i = 0; i < count; ++i) {
-        if (name(Enum(i)) == word) return Enum(i);
-        known.push_back(name(Enum(i)));
-    }
+    for (int i = 0; i < count; ++i) known.push_back(name(Enum(i)));
     throw UsageError(fmt::format("{}: no such value '{}' (known: {})", flag, word, fmt::join(known, ", ")));
 }
 
@@ -79,9 +78,7 @@ std::optional<glm::vec3> point(const std::string& flag, const std::string& text)
 }
 
 int divisorOf(const std::string& word) {
-    if (word == "1") return 1;
-    if (word == "1/2" || word == "0.5") return 2;
-    if (word == "1/4" || word == "0.25") return 4;
+    if (const auto divisor = maskDivisorOf(word)) return *divisor;
     throw UsageError(fmt::format("--mask-scale: no such value '{}' (known: 1, 1/2, 1/4)", word));
 }
 
@@ -106,15 +103,6 @@ void takeLights(Scene& scene, const std::string& word) {
 template <class T>
 std::vector<T> orElse(std::vector<T> values, const T& other) {
     return values.empty() ? std::vector<T>{other} : values;
-}
-
-Axes defaultsOf(Store store) {
-    Axes axes{.store = store, .levels = 0};
-    if (store == Store::Alpha || store == Store::Screen) {
-        axes.arithmetic = Arithmetic::Double;
-        axes.count = Count::ZpassCap;
-    }
-    return axes;
 }
 
 }  // namespace
@@ -199,8 +187,17 @@ std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) c
     if (!ground.empty()) overrides.ground = ground == "yes";
 
     const auto folder = dataFolder("scenes");
+    const auto shipped = sceneIds(folder), hard = hardSceneIds(folder);
+    std::vector<std::string> wanted;
+    for (const std::string& id : !ids.empty() ? ids : fallback.empty() ? shipped : fallback) {
+        if (id == "all") wanted.insert(wanted.end(), shipped.begin(), shipped.end());
+        if (id == "all" || id == "hard")
+            wanted.insert(wanted.end(), hard.begin(), hard.end());
+        else
+            wanted.push_back(id);
+    }
     std::vector<Scene> scenes;
-    for (const std::string& id : !ids.empty() ? ids : fallback.empty() ? sceneIds(folder) : fallback) {
+    for (const std::string& id : wanted) {
         const bool isKnown =
             std::any_of(scenes.begin(), scenes.end(), [&](const Scene& s) { return s.id == id; });
         if (!isKnown) scenes.push_back(loadScene(findScene(id, folder), overrides));

@@ -54,7 +54,8 @@ struct SceneOption {
     std::string light{}, eye{}, target{}, ground{}, lights{};
     std::optional<double> fov{}, near{};
     void addTo(CLI::App& app, const std::string& help);
-    /// @p fallback: the ids when none is given; empty: all
+    /// @p fallback: the ids when none is given; empty: those in scenes/ itself. The id "hard" stands for all
+    /// of scenes/hard, "all" for both.
     std::vector<Scene> load(const std::vector<std::string>& fallback = {}) const;
 };
 

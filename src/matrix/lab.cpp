@@ -194,6 +194,7 @@ struct Lab::Impl {
 
     /// What light @p index adds to a frame that is drawn by @p plan.
     const LightFrame& lightFrame(const Profile& profile, const Axes& axes, const Plan& plan, int index) {
+        if (lights() == 0) return current = {};
         const auto draws = [&](auto predicate) {
             return std::any_of(plan.passes.begin(), plan.passes.end(), predicate);
         };
@@ -343,13 +344,25 @@ struct Lab::Impl {
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
         cell.cpuMs = rendered.cpuMs;
-        const Judgement judgement = judged(cell, profile, axes, plan, rendered, pictures);
+        const Judgement judgement =
+            lights() == 0 ? unmasked(pictures) : judged(cell, profile, axes, plan, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
         cell.wrongEdge = judgement.edge, cell.wrongInterior = judgement.interior;
         cell.verdict = judgement.interior ? Verdict::Wrong : judgement.edge ? Verdict::Edge : Verdict::Exact;
         surface.makeCurrent();
         cell.digest = digestOf(rendered);
         if (pictures) pictures->image = rendered.image, pictures->judgement = judgement;
+    }
+
+    /// Of a frame without lights: there is no mask, and no shadow that it could miss.
+    Judgement unmasked(Pictures* pictures) const {
+        const auto pixels = std::size_t(key.width) * std::size_t(key.height);
+        const Image white{key.width, key.height, 1, std::vector<std::uint8_t>(pixels, 255)};
+        if (pictures) pictures->mask = pictures->truth = white;
+        Judgement judgement;
+        judgement.pixels.assign(pixels, PixelVerdict::Right);
+        judgement.tiedByTruth.assign(pixels, false);
+        return judgement;
     }
 
     /// Holds each light's mask against its truth; adds causes, and the pictures of masks and truth.

@@ -84,8 +84,8 @@ struct LightShape {
 
 /// What a plan must know of the frame.
 struct FrameShape {
-    int width = 0, height = 0;  ///< window, pixels
-    std::vector<LightShape> lights{};
+    int width = 0, height = 0;         ///< window, pixels
+    std::vector<LightShape> lights{};  ///< may be none
 };
 
 /// The parts of volumes that a count draws.

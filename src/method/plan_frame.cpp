@@ -241,9 +241,10 @@ Plan planFrame(const Axes& given, const FrameShape& frame, const Profile& profil
     const Axes axes = normalised(given);
     PlanBuilder b(axes, frame, profile);
     const int lights = int(frame.lights.size());
-    if (axes.store == Store::None) {
+    // Without any light there is nothing to mask, whatever the method.
+    if (axes.store == Store::None || lights == 0) {
         b.clear({.label = "background", .background = true, .depth = true});
-        b.sceneFirst(lights > 1 ? Shading::Ambient : Shading::Lit);
+        b.sceneFirst(lights == 1 ? Shading::Lit : Shading::Ambient);
         for (int light = 0; lights > 1 && light < lights; ++light)
             b.sceneAgain("scene: add light " + std::to_string(light), light, Shading::Diffuse,
                          blending(One, One));

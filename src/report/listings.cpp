@@ -146,6 +146,47 @@ Json planJson(const PlanSheet& sheet) {
                 {"missing", lacks}};
 }
 
+/// What a hard case is about, and what must come of it as commands that show it.
+std::string promisesOf(const Scene& scene) {
+    const HardCase& hard = *scene.hard;
+    std::string text = fmt::format("family: {}\nwhat:   {}\nsource: {}\n", hard.family,
+                                   wrapText(hard.what, 8), wrapText(hard.source, 8));
+    if (!hard.fails.empty()) text += "\nmust be wrong\n";
+    for (const HardCell& cell : hard.fails)
+        text += fmt::format("  gnomon render {} {}\n    {}\n", scene.id, argumentsOf(cell), cell.cause);
+    if (!hard.exact.empty()) text += "\nmust be exact\n";
+    for (const HardCell& cell : hard.exact)
+        text += fmt::format("  gnomon render {} {}\n", scene.id, argumentsOf(cell));
+    return text;
+}
+
+std::string scenesJson(const std::vector<Scene>& scenes) {
+    const auto cells = [](const std::vector<HardCell>& all) {
+        Json list = Json::array();
+        for (const HardCell& cell : all) {
+            list.push_back({{"arguments", argumentsOf(cell)}});
+            if (!cell.cause.empty()) list.back()["cause"] = cell.cause;
+        }
+        return list;
+    };
+    Json all = Json::array();
+    for (const Scene& s : scenes) {
+        Json object{{"scene", s.id},
+                    {"objects", fmt::format("{}", s.objects.size())},
+                    {"triangles", fmt::format("{}", triangleCount(s))},
+                    {"lights", fmt::format("{}", s.lights.size())},
+                    {"frames", fmt::format("{}", s.frames.size())},
+                    {"title", s.title}};
+        if (s.hard) {
+            object["family"] = s.hard->family, object["what"] = s.hard->what;
+            object["source"] = s.hard->source;
+            object["fails"] = cells(s.hard->fails), object["exact"] = cells(s.hard->exact);
+        }
+        all.push_back(object);
+    }
+    return all.dump(2) + "\n";
+}
+
 }  // namespace
 
 std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
@@ -242,12 +283,28 @@ std::string listAxisValues(Format format) {
 }
 
 std::string listScenes(const std::vector<Scene>& scenes, Format format) {
+    if (format == Format::Json) return scenesJson(scenes);
+    const bool text = format == Format::Text;
     std::vector<std::vector<std::string>> rows{
         {"scene", "objects", "triangles", "lights", "frames", "title"}};
-    for (const Scene& s : scenes)
+    if (!text) rows[0].insert(rows[0].end(), {"family", "what"});
+    std::vector<std::vector<std::string>> hard{{"hard case", "family", "what is hard"}};
+    for (const Scene& s : scenes) {
+        if (text && s.hard && scenes.size() > 1) {
+            hard.push_back({s.id, s.hard->family, s.hard->what});
+            continue;
+        }
         rows.push_back({s.id, fmt::format("{}", s.objects.size()), fmt::format("{}", triangleCount(s)),
                         fmt::format("{}", s.lights.size()), fmt::format("{}", s.frames.size()), s.title});
-    return listing(rows, format);
+        if (text) continue;
+        rows.back().push_back(s.hard ? s.hard->family : "");
+        rows.back().push_back(s.hard ? s.hard->what : "");
+    }
+    std::string list = rows.size() > 1 ? listing(rows, format) : "";
+    if (hard.size() > 1) list += fmt::format("{}{}", list.empty() ? "" : "\n", listing(hard, format));
+    if (text && scenes.size() == 1 && scenes.front().hard)
+        list += fmt::format("\n{}", promisesOf(scenes.front()));
+    return list;
 }
 
 std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {

@@ -23,7 +23,8 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format);
 /// The counting rules and silhouettes with their papers.
 std::string listAxisValues(Format format);
 
-/// All scenes with their sizes, lights and frames.
+/// All scenes with their sizes, lights and frames; in the text the hard cases follow under a heading of their
+/// own, with what is hard. One hard case alone comes with its promises.
 std::string listScenes(const std::vector<Scene>& scenes, Format format);
 
 /// The plan of one frame, with what it is a plan of.

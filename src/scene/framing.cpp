@@ -42,6 +42,7 @@ Bounds boundsOf(std::span<const Object> objects) {
             bounds.least = glm::min(bounds.least, glm::dvec3(p));
             bounds.most = glm::max(bounds.most, glm::dvec3(p));
         }
+    if (!(bounds.least.x <= bounds.most.x)) return {};
     bounds.centre = (bounds.least + bounds.most) / 2.0;
     bounds.radius = glm::length(bounds.most - bounds.least) / 2;
     return bounds;

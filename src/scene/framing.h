@@ -13,7 +13,7 @@ struct Bounds {
     double radius = 0;
 };
 
-/// @pre at least one object with a vertex
+/// Of objects without any vertex a point: radius 0 about the origin.
 Bounds boundsOf(std::span<const Object> objects);
 
 /// A camera that shows all of the sphere within @p fovDegrees, from above and a little to the right; its near

@@ -94,7 +94,7 @@ void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene
         if (overrides.eye) camera.eye = *overrides.eye;
         if (overrides.target) camera.target = *overrides.target;
         if (camera.eye == camera.target) throw SceneError("eye: the same point as the target");
-        camera.nearPlane = nearPlaneFor(scene.objects, bounds, camera.eye);
+        if (bounds.radius > 0) camera.nearPlane = nearPlaneFor(scene.objects, bounds, camera.eye);
         scene.frames = {camera};
     }
     for (Camera& camera : scene.frames) {
@@ -115,7 +115,10 @@ Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrid
     Scene scene = isToml ? loadSceneFile(file) : sceneOfMesh(file, overrides);
     const Bounds bounds = boundsOf(scene.objects);
     const bool isGltf = file.extension() == ".gltf" || file.extension() == ".glb";
-    if (overrides.ground.value_or(!isToml && !isGltf)) scene.objects.push_back(groundBelow(bounds));
+    if (overrides.ground.value_or(!isToml && !isGltf)) {
+        if (scene.objects.empty()) throw SceneError("ground: nothing is there to put a floor below");
+        scene.objects.push_back(groundBelow(bounds));
+    }
     applyOverrides(overrides, bounds, scene);
     return scene;
 }
@@ -125,10 +128,15 @@ std::filesystem::path findScene(const std::string& idOrFile, const std::filesyst
     const bool isFile =
         std::filesystem::exists(idOrFile, ignored) && !std::filesystem::is_directory(idOrFile);
     if (isFile) return idOrFile;
-    const std::vector<std::string> ids = sceneIds(folder);
-    if (std::find(ids.begin(), ids.end(), idOrFile) != ids.end()) return folder / (idOrFile + ".toml");
-    throw SceneError(
-        fmt::format("{}: neither a file nor a scene, known: {}", printable(idOrFile), fmt::join(ids, ", ")));
+    constexpr std::string_view kHard = "hard/";
+    const std::vector<std::string> shipped = sceneIds(folder), hard = hardSceneIds(folder);
+    for (const auto* ids : {&shipped, &hard})
+        if (std::find(ids->begin(), ids->end(), idOrFile) != ids->end()) return folder / (idOrFile + ".toml");
+    if (idOrFile.starts_with(kHard) && !hard.empty())
+        throw SceneError(
+            fmt::format("{}: no such hard case, known: {}", printable(idOrFile), fmt::join(hard, ", ")));
+    throw SceneError(fmt::format("{}: neither a file nor a scene, known: {}{}", printable(idOrFile),
+                                 fmt::join(shipped, ", "), hard.empty() ? "" : ", hard, all"));
 }
 
 std::vector<std::string> sceneIds(const std::filesystem::path& folder) {
@@ -139,6 +147,17 @@ std::vector<std::string> sceneIds(const std::filesystem::path& folder) {
             ids.push_back(entry.path().stem().string());
     std::sort(ids.begin(), ids.end());
     return ids;
+}
+
+std::vector<std::string> hardSceneIds(const std::filesystem::path& folder) {
+    std::vector<std::string> ids = sceneIds(folder / "hard");
+    for (std::string& id : ids) id = fmt::format("hard/{}", id);
+    return ids;
+}
+
+std::string sceneIdOf(const std::filesystem::path& file) {
+    const bool isHard = file.parent_path().filename() == "hard";
+    return fmt::format("{}{}", isHard ? "hard/" : "", file.stem().string());
 }
 
 }  // namespace gnomon

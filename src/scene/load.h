@@ -27,14 +27,22 @@ struct SceneOverrides {
 };
 
 /// Loads a scene file (.toml) or a mesh file (.obj .ply .stl .gltf .glb).
-/// @throws SceneError for anything that can't be drawn: unreadable or malformed file, no triangle left
+/// @throws SceneError for anything that can't be drawn: unreadable or malformed file, a mesh or objects of
+///         which no triangle is left. A scene file may say that it has no objects, or no lights.
 Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
 
-/// Resolves --scene: a file that exists, else an id in @p folder ("boxes" -> folder/boxes.toml).
+/// Resolves --scene: a file that exists, else an id in @p folder ("boxes" -> folder/boxes.toml, "hard/x" ->
+/// folder/hard/x.toml).
 /// @throws SceneError that names the known ids
 std::filesystem::path findScene(const std::string& idOrFile, const std::filesystem::path& folder);
 
-/// Ids of all scene files in @p folder, sorted.
+/// Ids of all scene files in @p folder, sorted; without the hard cases.
 std::vector<std::string> sceneIds(const std::filesystem::path& folder);
+
+/// Ids of the hard cases in @p folder: "hard/x" for each folder/hard/x.toml, sorted.
+std::vector<std::string> hardSceneIds(const std::filesystem::path& folder);
+
+/// The id of a scene file: its stem, after "hard/" in a folder of that name.
+std::string sceneIdOf(const std::filesystem::path& file);
 
 }  // namespace gnomon

@@ -3,8 +3,11 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "scene/hard_case.h"
 
 namespace gnomon {
 
@@ -49,17 +52,18 @@ struct Dropped {
 
 /// All that a frame shows. Value type; owns its meshes.
 struct Scene {
-    std::string id{};     ///< file stem, or the path as given for a mesh file
-    std::string title{};  ///< one line for lists
-    std::vector<Object> objects{};
-    std::vector<Light> lights{};
-    bool chosenLight = false;      ///< the file has no light; the one above is the loader's
-    std::vector<Camera> frames{};  ///< the camera path, at least one
-    float ambient = 0.2f;          ///< share of the reflectance that shows without any light, 0..1
+    std::string id{};  ///< file stem (of scenes/hard/x.toml "hard/x"), or the path as given for a mesh file
+    std::string title{};            ///< one line for lists
+    std::vector<Object> objects{};  ///< may be none: all is background then
+    std::vector<Light> lights{};    ///< may be none: the ambient part is all that shows then
+    bool chosenLight = false;       ///< the file has no light; the one above is the loader's
+    std::vector<Camera> frames{};   ///< the camera path, at least one
+    float ambient = 0.2f;           ///< share of the reflectance that shows without any light, 0..1
     glm::vec3 background{0.5f, 0.6f, 0.7f};
     /// What the loader dropped or chose, one line each: "12 degenerate triangles dropped".
     std::vector<std::string> notes{};
     Dropped dropped{};
+    std::optional<HardCase> hard{};  ///< what a file of scenes/hard promises
 };
 
 /// Number of triangles of all objects.

@@ -108,10 +108,39 @@ class Table {
         if (inner == nullptr) bad(need(key), fmt::format("'{}' must be a table", key));
         return {m_file, *inner};
     }
+    /// Of a list of lists of @p N numbers each, such as points.
+    template <std::size_t N>
+    std::vector<std::array<double, N>> rows(std::string_view key, double least, double most) const {
+        const toml::array* list = need(key).as_array();
+        if (list == nullptr) bad(need(key), fmt::format("'{}' must be an array of arrays", key));
+        std::vector<std::array<double, N>> out;
+        for (const toml::node& row : *list) {
+            const toml::array* values = row.as_array();
+            if (values == nullptr || values->size() != N)
+                bad(row, fmt::format("'{}' must be arrays of {} numbers", key, N));
+            for (std::size_t k = 0; k < N; ++k) {
+                if (k == 0) out.emplace_back();
+                out.back()[k] = numberOf((*values)[k], key, least, most);
+            }
+        }
+        return out;
+    }
+
+    /// A string, number or truth value as the command line would have it.
+    std::string word(std::string_view key) const {
+        const toml::node& node = need(key);
+        if (const auto value = node.as_string()) return value->get();
+        if (const auto value = node.as_integer()) return fmt::format("{}", value->get());
+        if (const auto value = node.as_floating_point()) return fmt::format("{}", value->get());
+        bad(node, fmt::format("'{}' must be a string or a number", key));
+    }
+    std::size_t line() const { return m_table.source().begin.line; }
+
+    /// The tables of an array; it may have none.
     std::vector<Table> tables(std::string_view key) const {
         std::vector<Table> out;
         const toml::array* array = need(key).as_array();
-        if (array == nullptr || array->empty() || !array->is_homogeneous<toml::table>())
+        if (array == nullptr || (!array->empty() && !array->is_homogeneous<toml::table>()))
             bad(need(key), fmt::format("'{}' must be tables: [[{}]]", key, key));
         for (const toml::node& node : *array) out.emplace_back(m_file, *node.as_table());
         return out;
@@ -175,12 +204,30 @@ std::vector<Camera> readCamera(const Table& table) {
     return path;
 }
 
+/// Triangles as the file lists them; welding is left to the caller.
+Mesh readTriangles(const Table& table) {
+    Mesh mesh;
+    for (const auto& v : table.rows<3>("vertices", -kLargest, kLargest))
+        mesh.positions.emplace_back(glm::dvec3(v[0], v[1], v[2]));
+    if (mesh.positions.empty()) table.bad(table.need("vertices"), "'vertices' must not be empty");
+    const double last = double(mesh.positions.size()) - 1;
+    for (const auto& t : table.rows<3>("triangles", 0, last)) {
+        for (const double corner : t)
+            if (corner != std::floor(corner))
+                table.bad(table.need("triangles"), "'triangles' must be whole numbers");
+        mesh.triangles.emplace_back(glm::dvec3(t[0], t[1], t[2]));
+    }
+    if (mesh.triangles.empty()) table.bad(table.need("triangles"), "'triangles' must not be empty");
+    return mesh;
+}
+
 /// The parameters of all shapes; each allows its own beside the common ones.
 std::vector<Object> readShape(const Table& table, std::vector<std::string>& notes, Dropped& dropped) {
     const std::string shape = table.text("shape");
     const auto allow = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> keys{"name",  "shape",  "at",    "rotate",
                                            "scale", "colour", "casts", "two_sided"};
+        keys.push_back("repeat");
         keys.insert(keys.end(), own);
         table.allow(keys, "shape \"" + shape + "\"");
     };
@@ -234,6 +281,10 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
         knot.sides = segments("sides", 3, knot.sides);
         return one(torusKnot(knot));
     }
+    if (shape == "triangles") {
+        allow({"vertices", "triangles"});
+        return one(readTriangles(table));
+    }
     if (shape == "mesh") {
         allow({"file"});
         const std::filesystem::path file = table.file().parent_path() / table.text("file");
@@ -253,11 +304,23 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
     table.bad(table.need("shape"), fmt::format("unknown shape '{}'", printable(shape)));
 }
 
-void readObject(const Table& table, Scene& scene) {
-    Dropped unmoved;
-    std::vector<Object> parts = readShape(table, scene.notes, unmoved);
-    const std::string name = table.text("name", table.text("shape"));
-    const glm::dvec3 at = table.vector("at", glm::dvec3(0));
+/// How often an object stands there, each moved on from the one before.
+struct Repeat {
+    int count = 1;
+    glm::dvec3 step{0};
+};
+
+Repeat readRepeat(const Table& table) {
+    if (!table.has("repeat")) return {};
+    const Table repeat = table.table("repeat");
+    repeat.allow({"count", "step"}, "repeat");
+    repeat.need("count");
+    return {.count = repeat.integer("count", 1, 10000, 1), .step = repeat.vector("step")};
+}
+
+/// @param at  where it stands
+void addObject(const Table& table, std::vector<Object> parts, Dropped unmoved, const std::string& name,
+               const glm::dvec3& at, Scene& scene) {
     const double scale = table.number("scale", kTiny, kLargest, 1);
     glm::dmat4 turn(1);
     if (table.has("rotate")) {
@@ -297,11 +360,74 @@ void readObject(const Table& table, Scene& scene) {
     }
 }
 
+void readObject(const Table& table, Scene& scene) {
+    Dropped unmoved;
+    const std::vector<Object> parts = readShape(table, scene.notes, unmoved);
+    const std::string name = table.text("name", table.text("shape"));
+    const glm::dvec3 at = table.vector("at", glm::dvec3(0));
+    const Repeat repeat = readRepeat(table);
+    for (int i = 0; i < repeat.count; ++i)
+        addObject(table, parts, unmoved, repeat.count == 1 ? name : fmt::format("{} {}", name, i + 1),
+                  at + double(i) * repeat.step, scene);
+}
+
+/// The key of a flag of the command line.
+std::string keyOf(std::string_view flag) {
+    std::string key(flag);
+    std::replace(key.begin(), key.end(), '-', '_');
+    return key;
+}
+
+HardCell readHardCell(const Table& table, bool fails) {
+    std::vector<std::string> optionKeys;
+    for (const std::string_view flag : hardOptions()) optionKeys.push_back(keyOf(flag));
+    std::vector<std::string_view> keys{"method", "profile", "fidelity", "dither", "frame", "size"};
+    if (fails) keys.push_back("cause");
+    keys.insert(keys.end(), optionKeys.begin(), optionKeys.end());
+    table.allow(keys, fails ? "a cell of 'fails'" : "a cell of 'exact'");
+
+    HardCell cell{.method = table.text("method"), .line = table.line()};
+    cell.profile = table.text("profile", cell.profile);
+    cell.fidelity = table.text("fidelity", cell.fidelity);
+    if (cell.fidelity != "gl" && cell.fidelity != "chip")
+        table.bad(table.need("fidelity"), "'fidelity' must be gl or chip");
+    cell.dithers = table.flag("dither", false);
+    cell.frame = table.integer("frame", 0, 99'999, 0);
+    if (table.has("size")) {
+        const auto size = table.numbers<2>("size", 1, 8192);
+        cell.width = int(size[0]), cell.height = int(size[1]);
+    }
+    for (const std::string_view flag : hardOptions())
+        if (const std::string key = keyOf(flag); table.has(key)) cell.options.emplace(flag, table.word(key));
+    if (!fails) return cell;
+    cell.cause = table.text("cause");
+    const auto known = causeNames();
+    if (std::find(known.begin(), known.end(), cell.cause) == known.end())
+        table.bad(table.need("cause"), fmt::format("no such cause '{}'", printable(cell.cause)));
+    return cell;
+}
+
+HardCase readHardCase(const Table& table) {
+    table.allow({"family", "what", "source", "fails", "exact"}, "[hard]");
+    HardCase hard;
+    const auto line = [&](std::string_view key) {
+        std::string text = table.text(key);
+        if (text.empty() || text.find('\n') != std::string::npos)
+            table.bad(table.need(key), fmt::format("'{}' must be one line", key));
+        return text;
+    };
+    hard.family = line("family"), hard.what = line("what"), hard.source = line("source");
+    for (const Table& cell : table.tables("fails")) hard.fails.push_back(readHardCell(cell, true));
+    for (const Table& cell : table.tables("exact")) hard.exact.push_back(readHardCell(cell, false));
+    return hard;
+}
+
 Scene readScene(const std::filesystem::path& file, const toml::table& root) {
     const Table table(file, root);
-    table.allow({"title", "ambient", "background", "light", "lights", "camera", "objects"}, "a scene");
+    table.allow({"title", "ambient", "background", "light", "lights", "camera", "objects", "hard"},
+                "a scene");
     Scene scene;
-    scene.id = file.stem().string();
+    scene.id = sceneIdOf(file);
     scene.title = table.text("title", scene.id);
     scene.ambient = float(table.number("ambient", 0, 1, scene.ambient));
     scene.background = table.colour("background", scene.background);
@@ -310,8 +436,10 @@ Scene readScene(const std::filesystem::path& file, const toml::table& root) {
     if (table.has("lights"))
         for (const Table& light : table.tables("lights")) scene.lights.push_back(readLight(light));
     scene.frames = readCamera(table.table("camera"));
-    for (const Table& object : table.tables("objects")) readObject(object, scene);
-    if (scene.objects.empty()) table.bad("no triangle left");
+    const std::vector<Table> objects = table.tables("objects");
+    for (const Table& object : objects) readObject(object, scene);
+    if (scene.objects.empty() && !objects.empty()) table.bad("no triangle left");
+    if (table.has("hard")) scene.hard = readHardCase(table.table("hard"));
     return scene;
 }
 

@@ -102,7 +102,7 @@ MeshFacts meshFacts(const Scene& scene, int ringLights) {
 
     // What that comes to.
     if (ringLights > 0) facts.lightSets.push_back(ringAround(boundsOf({&whole, 1}), ringLights));
-    if (!scene.chosenLight) facts.lightSets.push_back(ownLights(scene));
+    if (!scene.chosenLight && !scene.lights.empty()) facts.lightSets.push_back(ownLights(scene));
     if (facts.lightSets.empty()) return facts;
     SilhouetteCounter counter(scene);
     for (LightSet& set : facts.lightSets)

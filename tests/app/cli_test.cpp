@@ -13,6 +13,7 @@
 #include "image/image.h"
 #include "method/method.h"
 #include "program.h"
+#include "scene/load.h"
 
 namespace gnomon {
 namespace {
@@ -301,7 +302,7 @@ TEST_F(Program, PrintsOneJsonArray) {
         {{"prove", "--profile", "voodoo1", "--arithmetic", "parity"}, 2 * 2 * 5 * 3},
         {{"prove", "--profile", "tnt", "--store", "screen,alpha", "--arithmetic", "count"}, 2 * 3},
         {{"methods"}, namedMethods().size()},
-        {{"scenes"}, 3},
+        {{"scenes"}, 3 + hardSceneIds(std::filesystem::path(GNOMON_SOURCE) / "scenes").size()},
         {{"reproduce", "roettger2002", "--table", "1"}, 8}};
     for (auto [arguments, length] : runs) {
         arguments.insert(arguments.end(), {"--format", "json"});
@@ -312,6 +313,59 @@ TEST_F(Program, PrintsOneJsonArray) {
         ASSERT_TRUE(json.is_array()) << arguments[0] << ": " << outcome.out.substr(0, 300);
         EXPECT_EQ(json.size(), length) << arguments[0];
     }
+}
+
+// "hard" stands for all hard cases, "all" for these and the shipped scenes; without either there are three.
+TEST_F(Program, ListsHardCasesUnderAHeadingOfTheirOwn) {
+    const auto hard = hardSceneIds(std::filesystem::path(GNOMON_SOURCE) / "scenes").size();
+    const auto scenesOf = [&](const std::string& id) {
+        return Json::parse(run({"scenes", id, "--format", "json"}).out).size();
+    };
+    EXPECT_EQ(scenesOf("hard"), hard);
+    EXPECT_EQ(scenesOf("all"), hard + 3);
+    const Json cells = Json::parse(run({"matrix", "--method", "none", "--profile", "ideal", "--size", "16x12",
+                                        "--frames", "0", "--format", "json"})
+                                       .out);
+    EXPECT_EQ(cells.size(), 3u);
+
+    const std::string list = run({"scenes"}).out;
+    EXPECT_LT(list.find("roettger"), list.find("hard case"));
+    EXPECT_LT(list.find("hard case"), list.find("hard/eye-inside-one"));
+
+    const std::string one = run({"scenes", "hard/eye-inside-one"}).out;
+    EXPECT_THAT(
+        one,
+        HasSubstr("\nmust be wrong\n  gnomon render hard/eye-inside-one --method heidmann --profile ideal\n"
+                  "    eye inside a volume\n"));
+    EXPECT_THAT(
+        one,
+        HasSubstr("\nmust be exact\n  gnomon render hard/eye-inside-one --method carmack --profile ideal\n"));
+    expectRefused(run({"scenes", "hard/eye-inside-on"}),
+                  "hard/eye-inside-on: no such hard case, known: hard/");
+}
+
+// Nothing to see, nothing that casts, nothing that lights: every command answers, and sensibly.
+TEST_F(Program, TakesScenesWithoutObjectsCastersOrLights) {
+    for (const std::string id : {"hard/empty", "hard/no-caster", "hard/no-light"}) {
+        for (const std::vector<std::string>& command : std::vector<std::vector<std::string>>{
+                 {"scenes", id},
+                 {"plan", id},
+                 {"plan", id, "--profile", "voodoo2"},
+                 {"render", id, "--size", "32x24", "-o", pathOf("o.png"), "--mask", pathOf("m.png"),
+                  "--truth", pathOf("t.png")},
+                 {"render", id, "--size", "32x24", "--method", "atomiczp", "--steps", pathOf("steps")},
+                 {"render", id, "--size", "32x24", "--eye", "1,2,3", "--light", "0,1,0,0"},
+                 {"matrix", id, "--size", "32x24"}}) {
+            const Outcome outcome = run(command);
+            EXPECT_EQ(outcome.status, 0) << id << " " << command[0] << ": " << outcome.err;
+        }
+    }
+    EXPECT_EQ(run({"mesh", "hard/no-light"}).status, 0);
+    expectRefused(run({"mesh", "hard/empty"}), "hard/empty: no object casts a shadow");
+    expectRefused(run({"mesh", "hard/no-caster"}), "hard/no-caster: no object casts a shadow");
+    expectRefused(run({"render", "hard/empty", "--ground", "yes"}),
+                  "ground: nothing is there to put a floor below");
+    expectRefused(run({"render", "hard/no-light", "--lights", "1"}), "--lights: hard/no-light has 0");
 }
 
 // Messages of CLI11 aside, a file's notes go to standard error.

@@ -32,7 +32,7 @@ Cell fullCell() {
     c.passes = {2, 4, 3, 1};
     c.pixels = 196608;
     c.tiedTruth = 12, c.tiedCount = 5;
-    c.wrongEdge = 8, c.wrongInterior = 11;
+    c.wrongEdge = 8, c.wrongInterior = 11, c.unpredicted = 5;
     c.nesting = {.fronts = 6, .overlap = 3, .levels = 4};
     c.warnings = {"resolves 3 levels; up to 4 volumes or fronts may nest"};
     c.cpuMs = 1.96, c.unshadowedMs = 0.71;
@@ -46,13 +46,13 @@ std::vector<std::string> keysOf(const Json& object) {
     return keys;
 }
 
-// Of the design's list, "unpredicted" comes with the predictor; "chosen" marks the path of a chip.
+// Beside the design's list, "chosen" marks the path of a chip, and "nesting" and "warnings" tell what a mask must hold.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
         "cell",       "profile",    "method",   "scene",    "store",  "arithmetic",    "levels", "count",
         "silhouette", "mask_scale", "apply",    "shade",    "width",  "height",        "frame",  "lights",
         "fidelity",   "verdict",    "chosen",   "missing",  "causes", "passes",        "pixels", "tied",
-        "wrong",      "nesting",    "warnings", "vertices", "cpu_ms", "unshadowed_ms", "digest"};
+        "wrong", "unpredicted",      "nesting",    "warnings", "vertices", "cpu_ms", "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));

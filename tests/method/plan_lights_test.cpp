@@ -22,6 +22,16 @@ int scenePasses(const Plan& plan, Shading shading) {
     }));
 }
 
+TEST(NoLight, GetsTheAmbientPartAndNoMaskWhateverTheMethod) {
+    for (const NamedMethod& method : namedMethods()) {
+        const Plan plan = planFrame(method.axes, {.width = 256, .height = 256}, chip("ideal"));
+        ASSERT_EQ(plan.passes.size(), 2u) << method.id;
+        EXPECT_TRUE(plan.passes[0].clearsToBackground && plan.passes[0].clearsDepth) << method.id;
+        EXPECT_EQ(plan.passes[1].shading, Shading::Ambient) << method.id;
+        EXPECT_TRUE(plan.masks.empty()) << method.id;
+    }
+}
+
 TEST(SeveralLights, GetTheAmbientPartOnceAndAMaskEach) {
     for (const NamedMethod& method : namedMethods()) {
         SCOPED_TRACE(method.id);

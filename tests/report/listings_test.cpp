@@ -83,5 +83,42 @@ TEST(ShowProfile, HasTheGradesInJsonAndCsv) {
                                                             HasSubstr("culling,true,unsourced,guess\r\n")));
 }
 
+Scene hardScene() {
+    Scene scene;
+    scene.id = "hard/x", scene.title = "a title";
+    scene.hard = HardCase{.family = "eyes", .what = "hard to see", .source = "a paper"};
+    scene.hard->fails = {{.method = "heidmann", .cause = "eye inside a volume"}};
+    scene.hard->exact = {{.method = "carmack", .options = {{"levels", "3"}}}};
+    return scene;
+}
+
+TEST(ListScenes, PutsHardCasesUnderAHeadingOfTheirOwn) {
+    Scene plain;
+    plain.id = "plain", plain.title = "another";
+    const std::string text = listScenes({plain, hardScene()}, Format::Text);
+    EXPECT_THAT(lineWith(text, "plain"), HasSubstr("another"));
+    EXPECT_THAT(lineWith(text, "hard/x"),
+                AllOf(HasSubstr("eyes"), HasSubstr("hard to see"), Not(HasSubstr("a title"))));
+    EXPECT_LT(text.find("plain"), text.find("hard case"));
+    EXPECT_EQ(listScenes({plain}, Format::Text).find("hard case"), std::string::npos);
+    EXPECT_THAT(listScenes({plain, hardScene()}, Format::Csv),
+                HasSubstr("hard/x,0,0,0,0,a title,eyes,hard to see"));
+}
+
+TEST(ListScenes, ShowsThePromisesOfOneHardCaseAsCommands) {
+    const std::string text = listScenes({hardScene()}, Format::Text);
+    EXPECT_THAT(text, HasSubstr("source: a paper\n"));
+    EXPECT_THAT(text, HasSubstr("\nmust be wrong\n  gnomon render hard/x --method heidmann --profile ideal\n"
+                                "    eye inside a volume\n"));
+    EXPECT_THAT(
+        text,
+        HasSubstr("\nmust be exact\n  gnomon render hard/x --method carmack --profile ideal --levels 3\n"));
+
+    const Json json = Json::parse(listScenes({hardScene()}, Format::Json));
+    EXPECT_EQ(json[0]["fails"][0]["cause"], "eye inside a volume");
+    EXPECT_EQ(json[0]["exact"][0]["arguments"], "--method carmack --profile ideal --levels 3");
+    EXPECT_FALSE(json[0]["exact"][0].contains("cause"));
+}
+
 }  // namespace
 }  // namespace gnomon

@@ -90,6 +90,11 @@ TEST_F(LoadScene, TakesCameraFromOverrides) {
     EXPECT_EQ(other.nearPlane, 0.5f);
 }
 
+TEST(BoundsOf, NothingAreAPoint) {
+    EXPECT_EQ(boundsOf({}).radius, 0);
+    EXPECT_EQ(boundsOf({}).centre, glm::dvec3(0));
+}
+
 TEST_F(LoadScene, LooksAtTheSceneWhereOnlyTheEyeIsGiven) {
     EXPECT_EQ(loadScene(m_mesh, {.eye = glm::vec3(0, 0, 50)}).frames[0].target, glm::vec3(11, 1.5f, -1));
 }
@@ -134,6 +139,21 @@ TEST_F(LoadScene, FindsScenesByIdOrFile) {
     EXPECT_EQ(findScene(m_mesh.string(), m_folder), m_mesh);
     EXPECT_EQ(errorOf([&] { findScene("c", m_folder); }), "c: neither a file nor a scene, known: a, b");
     EXPECT_TRUE(sceneIds(m_folder / "none").empty());
+    EXPECT_TRUE(hardSceneIds(m_folder).empty());
+}
+
+TEST_F(LoadScene, FindsHardCasesInAFolderOfTheirOwn) {
+    std::filesystem::create_directories(m_folder / "hard");
+    write("a.toml", "");
+    const auto file = write("hard/b.toml", "");
+    EXPECT_THAT(sceneIds(m_folder), ElementsAre("a"));
+    EXPECT_THAT(hardSceneIds(m_folder), ElementsAre("hard/b"));
+    EXPECT_EQ(findScene("hard/b", m_folder), file);
+    EXPECT_EQ(sceneIdOf(file), "hard/b");
+    EXPECT_EQ(sceneIdOf(m_folder / "a.toml"), "a");
+    EXPECT_EQ(errorOf([&] { findScene("hard/c", m_folder); }), "hard/c: no such hard case, known: hard/b");
+    EXPECT_EQ(errorOf([&] { findScene("c", m_folder); }),
+              "c: neither a file nor a scene, known: a, hard, all");
 }
 
 }  // namespace

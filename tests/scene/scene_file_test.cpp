@@ -146,6 +146,121 @@ TEST_F(SceneFile, PassesOnWhatIsWrongWithAMesh) {
                                                             HasSubstr("bad.obj:2: face has 2 corners")));
 }
 
+constexpr const char* kTriangles = R"([[objects]]
+shape = "triangles"
+vertices = [[0, 0, 0], [2, 0, 0], [-0.0, 2, 0.0], [0, 2, -0.0], [2, 2, 0], [1, 0, 0]]
+triangles = [[0, 1, 2], [1, 4, 3], [0, 1, 2], [1, 1, 4], [0, 5, 1]]
+)";
+
+// Vertices at 0 and -0.0 are one; copies stay; what has no area goes.
+TEST_F(SceneFile, TakesTrianglesAsTheyAre) {
+    const Scene scene = loadScene(write("t.toml", std::string(kGood) + kTriangles));
+    ASSERT_EQ(scene.objects.size(), 2u);
+    const Mesh& mesh = scene.objects[1].mesh;
+    EXPECT_EQ(mesh.positions.size(), 4u);
+    EXPECT_EQ(mesh.triangles.size(), 3u);
+    EXPECT_EQ(scene.dropped.repeatedVertex, 1u);
+    EXPECT_EQ(scene.dropped.flat.size(), 1u);
+    EXPECT_EQ(scene.objects[1].name, "triangles");
+}
+
+TEST_F(SceneFile, RepeatsObjectsStepByStep) {
+    const std::string text =
+        std::string(kGood) + "name = 'b'\nat = [1, 0, 0]\nrepeat = { count = 3, step = [0, 0.5, 2] }\n";
+    const Scene scene = loadScene(write("r.toml", text));
+    ASSERT_EQ(scene.objects.size(), 3u);
+    EXPECT_EQ(scene.objects[0].name, "b 1");
+    EXPECT_EQ(scene.objects[2].name, "b 3");
+    for (std::size_t v = 0; v < 8; ++v)
+        EXPECT_EQ(scene.objects[2].mesh.positions[v],
+                  scene.objects[0].mesh.positions[v] + glm::vec3(0, 1, 4));
+}
+
+TEST_F(SceneFile, MayHaveNoObjectsAndNoLights) {
+    const Scene scene = loadScene(write("e.toml", "lights = []\nobjects = []\n[camera]\neye = [0, 2, 8]\n"));
+    EXPECT_TRUE(scene.objects.empty());
+    EXPECT_TRUE(scene.lights.empty());
+    EXPECT_FALSE(scene.chosenLight);
+    EXPECT_EQ(triangleCount(scene), 0u);
+    const auto file = write("e2.toml", "lights = []\nobjects = []\n[camera]\neye = [0, 2, 8]\nnear = 0.5\n");
+    const Scene moved = loadScene(file, {.light = glm::vec4(1, 2, 3, 1), .eye = glm::vec3(1, 2, 3)});
+    EXPECT_EQ(moved.lights.size(), 1u);
+    EXPECT_EQ(moved.frames[0].nearPlane, 0.5f) << "nothing is there to keep it from";
+    EXPECT_EQ(errorOf([&] { loadScene(file, {.ground = true}); }),
+              "ground: nothing is there to put a floor below");
+    EXPECT_EQ(errorOfFile(
+                  "n.toml",
+                  std::string(kGood).substr(0, std::string(kGood).find("[[objects]]")) +
+                      "[[objects]]\nshape = 'triangles'\nvertices = [[0, 0, 0]]\ntriangles = [[0, 0, 0]]\n"),
+              "n.toml:1: no triangle left");
+}
+
+constexpr const char* kHard = R"([hard]
+family = "eyes"
+what = "hard to see"
+source = "ours"
+fails = [{ method = "heidmann", cause = "eye inside a volume" }]
+exact = [
+    { method = "carmack", profile = "tnt", fidelity = "chip", dither = true, frame = 2, size = [64, 48], levels = 3, mask_scale = "1/2", offset = 0.5 },
+]
+)";
+
+TEST_F(SceneFile, TakesPromisesOfHardCases) {
+    EXPECT_FALSE(loadScene(write("plain.toml", kGood)).hard);
+    const HardCase hard = *loadScene(write("h.toml", std::string(kGood) + kHard)).hard;
+    EXPECT_EQ(hard.family, "eyes");
+    EXPECT_EQ(hard.what, "hard to see");
+    EXPECT_EQ(hard.source, "ours");
+    ASSERT_EQ(hard.fails.size(), 1u);
+    EXPECT_EQ(hard.fails[0].cause, "eye inside a volume");
+    EXPECT_EQ(hard.fails[0].line, 12u);
+    EXPECT_EQ(argumentsOf(hard.fails[0]), "--method heidmann --profile ideal");
+    ASSERT_EQ(hard.exact.size(), 1u);
+    EXPECT_EQ(
+        argumentsOf(hard.exact[0]),
+        "--method carmack --profile tnt --levels 3 --mask-scale 1/2 --offset 0.5 --fidelity chip --dither on "
+        "--frame 2 --size 64x48");
+}
+
+TEST_F(SceneFile, NamesFileAndLineOfErrorsInTrianglesAndHardCases) {
+    struct Case {
+        std::string find, replace, error;
+    };
+    const Case cases[] = {
+        {"[0, 5, 1]", "[0, 6, 1]", "s.toml:11: 'triangles' must be from 0 to 5"},
+        {"[0, 5, 1]", "[0, -1, 1]", "s.toml:11: 'triangles' must be from 0 to 5"},
+        {"[0, 5, 1]", "[0, 1.5, 1]", "s.toml:11: 'triangles' must be whole numbers"},
+        {"[0, 5, 1]", "[0, 5]", "s.toml:11: 'triangles' must be arrays of 3 numbers"},
+        {"[2, 2, 0]", "[2, nan, 0]", "s.toml:10: 'vertices' must be from -1e+15 to 1e+15"},
+        {"[2, 2, 0]", "2", "s.toml:10: 'vertices' must be arrays of 3 numbers"},
+        {"[2, 2, 0]", "[2, 'x', 0]", "s.toml:10: 'vertices' must be a number"},
+        {"shape = \"box\"", "shape = \"box\"\nrepeat = { count = 0, step = [0, 0, 0] }",
+         "s.toml:8: 'count' must be a whole number from 1 to 10000"},
+        {"shape = \"box\"", "shape = \"box\"\nrepeat = { count = 2 }", "s.toml:8: 'step' is missing"},
+        {"shape = \"box\"", "shape = \"box\"\nrepeat = { step = [0, 0, 0] }", "s.toml:8: 'count' is missing"},
+        {"shape = \"box\"", "shape = \"box\"\nrepeat = { count = 2, step = [0, 0, 0], turn = 1 }",
+         "s.toml:8: unknown key 'turn' in repeat"},
+        {"family = \"eyes\"", "familiy = \"eyes\"", "s.toml:13: unknown key 'familiy' in [hard]"},
+        {"family = \"eyes\"", "family = \"\"", "s.toml:13: 'family' must be one line"},
+        {"what = \"hard to see\"", "", "s.toml:12: 'what' is missing"},
+        {"eye inside a volume", "bad luck", "s.toml:16: no such cause 'bad luck'"},
+        {", cause = \"eye inside a volume\"", "", "s.toml:16: 'cause' is missing"},
+        {"method = \"carmack\"", "method = \"carmack\", cause = \"far plane\"",
+         "s.toml:18: unknown key 'cause' in a cell of 'exact'"},
+        {"levels = 3", "level = 3", "s.toml:18: unknown key 'level' in a cell of 'exact'"},
+        {"levels = 3", "levels = [3]", "s.toml:18: 'levels' must be a string or a number"},
+        {"fidelity = \"chip\"", "fidelity = \"chips\"", "s.toml:18: 'fidelity' must be gl or chip"},
+        {"dither = true", "dither = \"on\"", "s.toml:18: 'dither' must be true or false"},
+        {"size = [64, 48]", "size = [64]", "s.toml:18: 'size' must be an array of 2 numbers"},
+        {"fails = [{", "fails = [3, {", "s.toml:16: 'fails' must be tables: [[fails]]"},
+    };
+    for (const Case& c : cases) {
+        std::string text = std::string(kGood) + kTriangles + kHard;
+        text.replace(text.find(c.find), c.find.size(), c.replace);
+        EXPECT_EQ(errorOfFile("s.toml", text), c.error) << c.replace;
+    }
+}
+
 TEST_F(SceneFile, MayNotBeEmpty) {
     EXPECT_THAT(errorOfFile("s.toml", ""), testing::StartsWith("s.toml:1: "));
 }
