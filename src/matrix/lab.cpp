@@ -358,7 +358,7 @@ struct Lab::Impl {
     Judgement unmasked(Pictures* pictures) const {
         const auto pixels = std::size_t(key.width) * std::size_t(key.height);
         const Image white{key.width, key.height, 1, std::vector<std::uint8_t>(pixels, 255)};
-        if (pictures) pictures->mask = pictures->truth = white;
+        if (pictures) pictures->mask = pictures->truth = white, pictures->causes.assign(pixels, Cause::None);
         Judgement judgement;
         judgement.pixels.assign(pixels, PixelVerdict::Right);
         judgement.tiedByTruth.assign(pixels, false);

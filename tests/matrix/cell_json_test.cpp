@@ -46,13 +46,15 @@ std::vector<std::string> keysOf(const Json& object) {
     return keys;
 }
 
-// Beside the design's list, "chosen" marks the path of a chip, and "nesting" and "warnings" tell what a mask must hold.
+// Beside the design's list, "chosen" marks the path of a chip, and "nesting" and "warnings" tell what a mask
+// must hold.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
-        "cell",       "profile",    "method",   "scene",    "store",  "arithmetic",    "levels", "count",
-        "silhouette", "mask_scale", "apply",    "shade",    "width",  "height",        "frame",  "lights",
-        "fidelity",   "verdict",    "chosen",   "missing",  "causes", "passes",        "pixels", "tied",
-        "wrong", "unpredicted",      "nesting",    "warnings", "vertices", "cpu_ms", "unshadowed_ms", "digest"};
+        "cell",     "profile",    "method",        "scene",   "store",       "arithmetic", "levels",
+        "count",    "silhouette", "mask_scale",    "apply",   "shade",       "width",      "height",
+        "frame",    "lights",     "fidelity",      "verdict", "chosen",      "missing",    "causes",
+        "passes",   "pixels",     "tied",          "wrong",   "unpredicted", "nesting",    "warnings",
+        "vertices", "cpu_ms",     "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));

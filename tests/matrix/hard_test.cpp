@@ -7,6 +7,7 @@
 
 #include "matrix/hard_run.h"
 #include "matrix/lab.h"
+#include "predict/causes.h"
 #include "scenes.h"
 
 namespace gnomon {
@@ -71,6 +72,15 @@ INSTANTIATE_TEST_SUITE_P(Scenes, HardCases, testing::ValuesIn(hardSceneIds(kScen
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
 });
+
+TEST(HardSuite, KnowsTheCausesOfThePredictor) {
+    std::vector<std::string> predictors;
+    for (int c = 0; c < kCauses; ++c)
+        if (Cause(c) != Cause::None) predictors.push_back(name(Cause(c)));
+    const auto known = causeNames();
+    EXPECT_THAT(std::vector<std::string>(known.begin(), known.end()),
+                testing::UnorderedElementsAreArray(predictors));
+}
 
 TEST(HardSuite, HasEveryFamily) {
     std::set<std::string> families;
