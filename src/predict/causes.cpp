@@ -105,6 +105,7 @@ struct Explainer::Impl {
         const auto isRight = [&](MaskPrediction& p) { return p.isShadow(p.value(x, y)) == blocked; };
 
         MaskPrediction& prediction = whole();
+        if (prediction.startsAtEye() && in.mask.eyeOnFace) return Cause::EyeOnFace;
         if (isRight(prediction)) {
             if (!isFullSize()) return Cause::MaskResolution;
             return prediction.doubt(x, y) == MaskPrediction::Doubt::Own ? Cause::OwnCapAndSide
@@ -123,7 +124,6 @@ struct Explainer::Impl {
 
         // The start
         if (prediction.countsFromEye()) {
-            if (prediction.startsAtEye() && in.mask.eyeOnFace) return Cause::EyeOnFace;
             const int caps = prediction.startsAtEye() ? 0 : prediction.uncountedNearCaps(x, y);
             if (caps != 0 && (count + caps != 0) == blocked)
                 return in.mask.holdingEye != 0 ? Cause::EyeInside : Cause::NearPlaneCuts;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <stdexcept>
 
 namespace gnomon {
@@ -268,14 +269,10 @@ struct MaskPrediction::Impl {
     void replay(const Signature& signature, Outcome& outcome) {
         outcome.isKnown = true;
         const bool isSure =
-            std::all_of(signature.begin(), signature.end(), [](const Crossing& c) { return c.isSure(); }) &&
-            !(startsAtEye() && in.eyeOnFace);
+            std::all_of(signature.begin(), signature.end(), [](const Crossing& c) { return c.isSure(); });
         int exact = start(), net = startsAtEye() ? in.holdingEye : 0;
         if (!startsAtEye() && run.place == MaskPlace::Stencil) net = exact - tap.test.reference;
         Values values{std::uint16_t(exact)};
-        if (startsAtEye() && in.eyeOnFace && !tap.test.minusBlockers)
-            for (int k = 0; k < 256; ++k) values.push_back(std::uint16_t(k));
-        makeSet(values);
 
         // The passes that touch this ray, in their order.
         order.assign(general.begin(), general.end());
@@ -330,6 +327,11 @@ struct MaskPrediction::Impl {
                 return c.piece == Piece::NearCap && c.exact != kAbsent;
             }));
         outcome.values = misses ? Values{} : std::move(values);
+        // A face through the eye may be drawn in any pixel, or counted at the start, or neither.
+        if (startsAtEye() && in.eyeOnFace) {
+            outcome.values.resize(256);
+            std::iota(outcome.values.begin(), outcome.values.end(), std::uint16_t(0));
+        }
     }
 
     /// All values after one crossing, drawn in any way that is possible.

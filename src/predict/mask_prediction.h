@@ -21,7 +21,7 @@ struct MaskInputs {
     /// that draw all volumes at once don't ask.
     std::span<const int> planVolumes{};
     int holdingEye = 0;      ///< volumes that hold the eye, where the plan counts them by itself
-    bool eyeOnFace = false;  ///< then that count may be wrong by some
+    bool eyeOnFace = false;  ///< then that count is not one for all pixels, and nothing is predicted
 };
 
 /// The mask of one light as the plan's passes must make it: in each pixel the crossings of the eye ray, pass
