@@ -32,11 +32,21 @@ struct SetUp {
 struct Verified {
     int wrong = 0, unpredicted = 0;
     std::map<std::string, int> causes{};
+    std::vector<PixelVerdict> pixels{};
+    std::vector<std::uint16_t> values{};
+
+    /// Pixels without a tie that hold another value than in @p other.
+    int differentFrom(const Verified& other) const {
+        int different = 0;
+        for (std::size_t p = 0; p < values.size(); ++p)
+            different += pixels[p] != PixelVerdict::Tied && values[p] != other.values[p];
+        return different;
+    }
 
     /// "right", or the causes and how many pixels are not predicted.
     std::string text() const {
         std::string out;
-        for (const auto& [cause, pixels] : causes) out += (out.empty() ? "" : ", ") + cause;
+        for (const auto& cause : causes) out += (out.empty() ? "" : ", ") + cause.first;
         if (unpredicted > 0) out += fmt::format(", {} not predicted", unpredicted);
         return out.empty() ? "right" : out;
     }
@@ -118,7 +128,11 @@ class FaultRig {
                                                          .judgement = judgement,
                                                          .values = rendered.values[0],
                                                          .ordinals = volumes.ordinals});
-        Verified out{.wrong = judgement.wrong(), .unpredicted = explained.unpredicted};
+        Verified out{.wrong = judgement.wrong(),
+                     .unpredicted = explained.unpredicted,
+                     .causes = {},
+                     .pixels = judgement.pixels,
+                     .values = rendered.values[0]};
         for (const Cause cause : explained.causes)
             if (cause != Cause::None) ++out.causes[name(cause)];
         return out;

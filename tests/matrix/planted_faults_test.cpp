@@ -462,10 +462,13 @@ class PlantedFault : public testing::TestWithParam<Fault> {};
 TEST_P(PlantedFault, IsNotPredicted) {
     const Fault& fault = GetParam();
     FaultRig rig(fault.setUp);
-    ASSERT_EQ(rig.draw().text(), fault.setUp.known) << "without a fault";
+    const Verified right = rig.draw();
+    ASSERT_EQ(right.text(), fault.setUp.known) << "without a fault";
     fault.plant(rig);
-    const int unpredicted = rig.draw().unpredicted;
-    EXPECT_THAT(unpredicted, isExpected(fault.pixels));
+    const Verified faulty = rig.draw();
+    EXPECT_THAT(faulty.unpredicted, isExpected(fault.pixels));
+    // Near borders the prediction allows more than one value, which hides some; 96 of 100 were seen at least.
+    EXPECT_GE(10 * faulty.unpredicted, 9 * faulty.differentFrom(right));
 }
 
 INSTANTIATE_TEST_SUITE_P(Volumes, PlantedFault, testing::ValuesIn(volumeFaults()), nameOf);
