@@ -31,7 +31,7 @@ Compared compared(const Scene& scene, Silhouette silhouette) {
     const auto lit = litCasters(scene, light.position, silhouette);
     const Crossings crossings = crossingsOf(scene, lit, light.position, view, ties);
     for (std::size_t p = 0; p < truth.blocked.size(); ++p) {
-        if (truth.tie[p] != Tie::None || truth.facesAway[p]) continue;
+        if (truth.tie[p] != Tie::None) continue;
         const int count = volumesAround(crossings.signatures[crossings.exact[p]]);
         ++out.pixels;
         out.blocked += truth.blocked[p];
