@@ -76,7 +76,7 @@ Runs& runsOf(FaultRig& rig, Part part) {
     return rig.volumes.parts[std::size_t(part)];
 }
 
-/// Leaves out vertices [first, last) of volume @p volume.
+/// Leaves out vertices [first, last).
 void drop(Runs& runs, std::size_t first, std::size_t last) {
     runs.vertices.erase(runs.vertices.begin() + std::ptrdiff_t(first),
                         runs.vertices.begin() + std::ptrdiff_t(last));
@@ -232,7 +232,7 @@ std::vector<Fault> volumeFaults() {
          }},
         {"FarVerticesNotAtInfinity", kCarmackBeforeLight,
          [](FaultRig& rig) {
-             // From 3 units beyond the near plane on, all that lies at infinity lies just behind the boxes.
+             // All that lies at infinity comes as near as the boxes are.
              for (const Part part : {Part::Sides, Part::FarCap})
                  for (glm::vec4& v : runsOf(rig, part).vertices)
                      if (v.z == v.w) v.z = float(windowDepth(rig.view, 6) * 2 - 1) * v.w;
