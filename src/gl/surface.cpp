@@ -192,6 +192,9 @@ Surface::~Surface() = default;
 const GlTable& Surface::driver() const {
     return m_impl->driver;
 }
+void Surface::decorate(const std::function<GlTable(GlTable)>& decorator) {
+    m_impl->driver = decorator(std::move(m_impl->driver));
+}
 const BufferFormat& Surface::format() const {
     return m_impl->format;
 }

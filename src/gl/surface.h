@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -25,6 +26,9 @@ class Surface {
 
     /// The driver's entry points, unrestricted; with the chip's arithmetic under them where that is emulated.
     const GlTable& driver() const;
+    /// Puts @p decorator around these entry points, for all that is drawn and read from now on: so that tests
+    /// can plant a fault in them.
+    void decorate(const std::function<GlTable(GlTable)>& decorator);
     const BufferFormat& format() const;
     int width() const;
     int height() const;

@@ -15,7 +15,6 @@ struct MaskArithmetic {
     DitherMode dither = DitherMode::Off;  ///< while masks are drawn
     ColourFormat format{};
     int channel = 0;  ///< which one the mask is read from: 0 to 2 of colour, 3 for alpha
-    bool operator==(const MaskArithmetic&) const = default;
 
     int bits() const;
 

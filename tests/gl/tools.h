@@ -1,13 +1,12 @@
 #pragma once
 
-#include <filesystem>
 #include <ostream>
 #include <string>
 #include <vector>
 
 #include "gl/light_frame.h"
 #include "method/method.h"
-#include "profile/profile.h"
+#include "profile/shipped.h"
 #include "scene/primitives.h"
 #include "volume/blockers.h"
 
@@ -19,10 +18,6 @@ inline void PrintTo(Shade shade, std::ostream* out) {
 
 inline const std::vector<std::string> kLimitedChips{"geforce2mx", "ps2",     "tnt",
                                                     "voodoo1",    "voodoo2", "voodoo3"};
-
-inline Profile chip(const std::string& id) {
-    return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / (id + ".toml"));
-}
 
 inline Object placed(const std::string& name, Mesh mesh, const glm::vec3& at, bool casts = true) {
     for (glm::vec3& p : mesh.positions) p += at;

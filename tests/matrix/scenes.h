@@ -4,7 +4,7 @@
 #include <string>
 
 #include "matrix/run.h"
-#include "profile/profile.h"
+#include "profile/shipped.h"
 #include "scene/load.h"
 
 namespace gnomon {
@@ -13,10 +13,6 @@ inline const std::filesystem::path kSource = GNOMON_SOURCE;
 
 inline Scene shippedScene(const std::string& id) {
     return loadScene(kSource / "scenes" / (id + ".toml"));
-}
-
-inline Profile chip(const std::string& id) {
-    return loadProfile(kSource / "profiles" / (id + ".toml"));
 }
 
 inline Axes method(const std::string& id) {
