@@ -98,7 +98,7 @@ struct FramePredictor::Impl {
         return at->second;
     }
 
-    static MaskArithmetic arithmeticOf(const RenderedMask& mask) {
+    static MaskChannel arithmeticOf(const RenderedMask& mask) {
         const BufferFormat& f = mask.format;
         return {.openGl = mask.chip.fidelity == Fidelity::Gl,
                 .unit = mask.chip.unit,

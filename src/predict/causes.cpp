@@ -53,7 +53,7 @@ struct Explainer::Impl {
 
     /// The same plan with another arithmetic or other crossings, made when it is first asked for.
     MaskPrediction& made(std::optional<MaskPrediction>& prediction, const Crossings& crossings,
-                         const MaskArithmetic& arithmetic) {
+                         const MaskChannel& arithmetic) {
         if (!prediction) {
             MaskInputs other{.plan = in.mask.plan,
                              .light = in.mask.light,
@@ -79,12 +79,12 @@ struct Explainer::Impl {
     const Crossings& wholeCrossings() { return isFullSize() ? in.mask.crossings : in.fullSize(); }
 
     MaskPrediction& undithered() {
-        MaskArithmetic arithmetic = in.mask.arithmetic;
+        MaskChannel arithmetic = in.mask.arithmetic;
         arithmetic.dither = DitherMode::Off;
         return made(withoutDither, wholeCrossings(), arithmetic);
     }
     MaskPrediction& byOpenGl() {
-        MaskArithmetic arithmetic = in.mask.arithmetic;
+        MaskChannel arithmetic = in.mask.arithmetic;
         arithmetic.openGl = true;
         arithmetic.dither = DitherMode::Off;
         return made(openGl, wholeCrossings(), arithmetic);
@@ -115,7 +115,7 @@ struct Explainer::Impl {
         // The arithmetic
         const int count = prediction.unlimitedCount(x, y);
         if ((count != 0) == blocked) {
-            const MaskArithmetic& arithmetic = in.mask.arithmetic;
+            const MaskChannel& arithmetic = in.mask.arithmetic;
             const bool isChips = !arithmetic.openGl && prediction.hasCodes();
             if (isChips && arithmetic.period() > 1 && isRight(undithered())) return Cause::DitherDrift;
             if (isChips && isRight(byOpenGl())) return Cause::RoundingResidue;

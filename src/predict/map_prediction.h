@@ -7,7 +7,7 @@
 #include "plan/plan.h"
 #include "predict/causes.h"
 #include "predict/map_depths.h"
-#include "predict/mask_arithmetic.h"
+#include "predict/mask_channel.h"
 #include "predict/seen_window.h"
 
 namespace gnomon {
@@ -18,7 +18,7 @@ struct MapMaskInputs {
     int light = 0;
     const SeenWindow& window;
     MapDepths& depths;  ///< of the light, as large as the plan's map
-    MaskArithmetic arithmetic{};
+    MaskChannel arithmetic{};
 };
 
 /// The mask that Shading::Mask makes of a light's depth map: for each pixel the point that is seen there, its

@@ -7,7 +7,7 @@
 
 #include "plan/plan.h"
 #include "predict/crossings.h"
-#include "predict/mask_arithmetic.h"
+#include "predict/mask_channel.h"
 
 namespace gnomon {
 
@@ -16,7 +16,7 @@ struct MaskInputs {
     const Plan& plan;
     int light = 0;
     const Crossings& crossings;  ///< of a view as large as the plan's mask
-    MaskArithmetic arithmetic{};
+    MaskChannel arithmetic{};
     /// By volume of the predictor: its index among the plan's volumes, -1 if no pass draws it. Empty: plans
     /// that draw all volumes at once don't ask.
     std::span<const int> planVolumes{};

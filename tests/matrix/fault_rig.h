@@ -56,7 +56,7 @@ struct Verified {
 struct Belief {
     Plan plan{};
     Crossings crossings{};
-    MaskArithmetic arithmetic{};
+    MaskChannel arithmetic{};
     std::vector<int> planVolumes{};
     int holdingEye = 0;
 };

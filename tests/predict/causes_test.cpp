@@ -40,7 +40,7 @@ struct Pixel {
     Plan plan{};
     Crossings crossings{};
     Truth truth{};
-    MaskArithmetic arithmetic = kEightBits;
+    MaskChannel arithmetic = kEightBits;
     int holdingEye = 0;
     bool eyeOnFace = false;
 };

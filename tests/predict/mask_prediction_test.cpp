@@ -17,9 +17,9 @@ using testing::ElementsAre;
 
 /// Keeps what a prediction refers to.
 struct Predicted {
-    Predicted(Plan p, std::vector<Signature> rays, MaskArithmetic arithmetic = kEightBits)
+    Predicted(Plan p, std::vector<Signature> rays, MaskChannel arithmetic = kEightBits)
         : Predicted(std::move(p), row(std::move(rays)), arithmetic) {}
-    Predicted(Plan p, Crossings c, MaskArithmetic arithmetic = kEightBits, int holdingEye = 0)
+    Predicted(Plan p, Crossings c, MaskChannel arithmetic = kEightBits, int holdingEye = 0)
         : plan(std::move(p)),
           crossings(std::move(c)),
           mask({.plan = plan, .crossings = crossings, .arithmetic = arithmetic, .holdingEye = holdingEye}) {}

@@ -14,7 +14,7 @@ inline Profile idealChip() {
     return loadProfile(std::filesystem::path(GNOMON_SOURCE) / "profiles" / "ideal.toml");
 }
 
-const MaskArithmetic kEightBits{.format = {"8888", 8, 8, 8, 8}};
+const MaskChannel kEightBits{.format = {"8888", 8, 8, 8, 8}};
 
 /// A side that is surely before the surface.
 inline Crossing side(bool front, std::uint32_t volume = 0) {

@@ -8,7 +8,7 @@
 namespace gnomon {
 
 /// The arithmetic of the buffer that holds a mask.
-struct MaskArithmetic {
+struct MaskChannel {
     bool openGl =
         true;  ///< OpenGL's blending on 8 bits, of which the nearest code is stored; else the chip's
     BlendUnit unit = BlendUnit::IdealRound;
@@ -24,11 +24,11 @@ struct MaskArithmetic {
 
 /// The code to which a clear to @p value (0..1) sets the channel at pixel (x, y) of the window, rows from the
 /// top.
-int clearedTo(const MaskArithmetic& mask, int x, int y, float value);
+int clearedTo(const MaskChannel& mask, int x, int y, float value);
 
 /// What one fragment of @p pass, a volume's or a rectangle's, makes of a code there; none if the blend unit
 /// has no such operation.
-std::optional<int> blendedCode(const MaskArithmetic& mask, int x, int y, const Pass& pass, int code);
+std::optional<int> blendedCode(const MaskChannel& mask, int x, int y, const Pass& pass, int code);
 
 /// What a stencil test of @p test, for a front or back face, makes of a value.
 int stencilled(const Stencil& test, bool front, bool depthPasses, int value);

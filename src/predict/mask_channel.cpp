@@ -1,4 +1,4 @@
-#include "predict/mask_arithmetic.h"
+#include "predict/mask_channel.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -6,7 +6,7 @@
 namespace gnomon {
 namespace {
 
-FrameChannel channelAt(const MaskArithmetic& mask, int x, int y) {
+FrameChannel channelAt(const MaskChannel& mask, int x, int y) {
     const DitherMode dither = mask.channel < 3 ? mask.dither : DitherMode::Off;
     return {mask.unit, mask.bits(), dither, ditherCell(dither, x, y)};
 }
@@ -20,7 +20,7 @@ bool compared(Compare function, int a, int b) {
     return passes(function, float(a), float(b));
 }
 
-std::optional<int> byOpenGl(const MaskArithmetic& mask, const Blend& b, int grey, int code) {
+std::optional<int> byOpenGl(const MaskChannel& mask, const Blend& b, int grey, int code) {
     const int bits = mask.bits();
     // OpenGL has no sum that wraps: of one and one it is that of the codes.
     if (b.equation == BlendEquation::AddWrap) return (code + rounded(grey, bits)) & largestCode(bits);
@@ -53,18 +53,18 @@ std::optional<int> byChip(const FrameChannel& channel, const Blend& b, int grey,
 
 }  // namespace
 
-int MaskArithmetic::bits() const {
+int MaskChannel::bits() const {
     const int widths[4] = {format.red, format.green, format.blue, format.alpha};
     return widths[channel];
 }
 
-int clearedTo(const MaskArithmetic& mask, int x, int y, float value) {
+int clearedTo(const MaskChannel& mask, int x, int y, float value) {
     if (mask.openGl) return rounded(byteOf(value), mask.bits());
     const FrameChannel channel = channelAt(mask, x, y);
     return stored(channel, enteringSource(channel, byteOf(value)));
 }
 
-std::optional<int> blendedCode(const MaskArithmetic& mask, int x, int y, const Pass& pass, int code) {
+std::optional<int> blendedCode(const MaskChannel& mask, int x, int y, const Pass& pass, int code) {
     if (pass.logicInvert) return code ^ largestCode(mask.bits());
     const int grey = byteOf(mask.channel == 3 ? pass.colour.a : pass.colour.r);
     if (!pass.blend.enabled) return clearedTo(mask, x, y, float(grey) / 255);
