@@ -2,94 +2,61 @@
 
 #include <algorithm>
 
-#include "scene/framing.h"
-#include "volume/orient.h"
+#include "volume/map_casters.h"
 
 namespace gnomon {
 namespace {
 
-/// Calls @p visit with the corners of each triangle that casts a shadow of @p light.
-template <class Visit>
-void eachCaster(const Scene& scene, const glm::vec4& light, Visit visit) {
-    for (const Object& object : scene.objects) {
-        if (!object.casts) continue;
-        for (const glm::uvec3& t : object.mesh.triangles) {
-            const glm::vec3 &a = object.mesh.positions[t.x], &b = object.mesh.positions[t.y],
-                            &c = object.mesh.positions[t.z];
-            const int side = orientation(a, b, c, light);
-            if (side > 0 || (side < 0 && object.twoSided)) visit(glm::mat3(a, b, c));
-        }
-    }
-}
-
-glm::vec3 positionOf(const Scene& scene, const SurfaceOrigin& origin) {
+/// Where a surface's vertex lies, from the map's origin on, so that nothing is lost far from the world's.
+glm::dvec3 coordinatesOf(const Scene& scene, const LightMap& map, const SurfaceOrigin& origin) {
     const Mesh& mesh = scene.objects[origin.object].mesh;
     const glm::uvec3& t = mesh.triangles[origin.triangle];
-    return origin.weights.x * mesh.positions[t.x] + origin.weights.y * mesh.positions[t.y] +
-           origin.weights.z * mesh.positions[t.z];
+    glm::dvec3 at(0);
+    for (int k = 0; k < 3; ++k)
+        at += double(origin.weights[k]) * map.coordinates(glm::dvec3(mesh.positions[t[k]]));
+    return at;
 }
 
-DepthMapFrame pointMap(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
-    DepthMapFrame map;
-    const glm::dvec3 at(light.position);
-    map.nearPlane = float(2e-3 * boundsOf(scene.objects).radius);
-    map.faces.resize(6);
-    for (int f = 0; f < 6; ++f) {
-        const CubeFace& face = kCubeFaces[f];
-        eachCaster(scene, light.position, [&](const glm::mat3& corners) {
-            glm::dvec4 clip[3];
-            for (int k = 0; k < 3; ++k) {
-                const glm::dvec3 p = glm::dvec3(corners[k]) - at;
-                const double w = glm::dot(p, glm::dvec3(face.forward));
-                clip[k] = {glm::dot(p, glm::dvec3(face.right)), glm::dot(p, glm::dvec3(face.up)),
-                           w - 2.0 * map.nearPlane, w};
-            }
-            if (clip[0].w <= 0 && clip[1].w <= 0 && clip[2].w <= 0) return;
-            for (const int axis : {0, 1})
-                for (const double sign : {1.0, -1.0})
-                    if (std::all_of(clip, clip + 3,
-                                    [&](const glm::dvec4& p) { return sign * p[axis] > p.w; }))
-                        return;
-            for (const glm::dvec4& p : clip) map.faces[std::size_t(f)].push_back(glm::vec4(p));
-        });
+/// Appends a triangle in clip space of a cube's face, if the face may see it.
+void appendToFace(const View& face, const glm::dvec3 corners[3], std::vector<glm::vec4>& triangles) {
+    glm::dvec4 clip[3];
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec3 p = corners[k] - face.eye;
+        const double w = glm::dot(p, face.forward);
+        clip[k] = {glm::dot(p, face.right), glm::dot(p, face.up), w - 2.0 * face.nearPlane, w};
     }
-    for (const SurfaceOrigin& origin : surfaces.origins)
-        map.coordinates.push_back(glm::vec3(glm::dvec3(positionOf(scene, origin)) - at));
-    return map;
-}
-
-DepthMapFrame directionalMap(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
-    DepthMapFrame map;
-    const Bounds bounds = boundsOf(scene.objects);
-    const double radius = std::max(bounds.radius, 1e-30);
-    const glm::dvec3 forward = -glm::normalize(glm::dvec3(light.position));
-    const glm::dvec3 side = std::abs(forward.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 right = glm::normalize(glm::cross(forward, side)), up = glm::cross(right, forward);
-    const auto mapped = [&](const glm::vec3& p) {
-        const glm::dvec3 q = (glm::dvec3(p) - bounds.centre) / radius;
-        return glm::dvec3(glm::dot(q, right), glm::dot(q, up), glm::dot(q, forward));
-    };
-    map.faces.resize(1);
-    eachCaster(scene, light.position, [&](const glm::mat3& corners) {
-        for (int k = 0; k < 3; ++k) map.faces[0].push_back(glm::vec4(mapped(corners[k]), 1));
-    });
-    for (const SurfaceOrigin& origin : surfaces.origins) {
-        const glm::dvec3 p = mapped(positionOf(scene, origin));
-        map.coordinates.push_back({float(p.x), float(p.y), float(p.z * 0.5 + 0.5)});
-    }
-    return map;
+    if (clip[0].w <= 0 && clip[1].w <= 0 && clip[2].w <= 0) return;
+    for (const int axis : {0, 1})
+        for (const double sign : {1.0, -1.0})
+            if (std::all_of(clip, clip + 3, [&](const glm::dvec4& p) { return sign * p[axis] > p.w; }))
+                return;
+    for (const glm::dvec4& p : clip) triangles.emplace_back(p);
 }
 
 }  // namespace
 
-const CubeFace kCubeFaces[6] = {
-    {{1, 0, 0}, {0, 0, -1}, {0, 1, 0}}, {{-1, 0, 0}, {0, 0, 1}, {0, 1, 0}},
-    {{0, 1, 0}, {1, 0, 0}, {0, 0, -1}}, {{0, -1, 0}, {1, 0, 0}, {0, 0, 1}},
-    {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},  {{0, 0, -1}, {-1, 0, 0}, {0, 1, 0}},
-};
-
 DepthMapFrame depthMapFrame(const Scene& scene, const Light& light, const FrameSurfaces& surfaces) {
-    return light.position.w == 0 ? directionalMap(scene, light, surfaces) : pointMap(scene, light, surfaces);
+    // Clip space does not depend on the map's size.
+    const LightMap map = lightMap(scene, light.position, 1);
+    DepthMapFrame out;
+    out.nearPlane = map.parallel ? 0 : float(map.faces.front().nearPlane);
+    out.faces.resize(map.faces.size());
+    eachMapCaster(scene, light.position, [&](std::uint32_t object, const glm::uvec3& t) {
+        const Mesh& mesh = scene.objects[object].mesh;
+        const glm::dvec3 corners[3] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+        if (!map.parallel) {
+            for (std::size_t f = 0; f < map.faces.size(); ++f)
+                appendToFace(map.faces[f], corners, out.faces[f]);
+            return;
+        }
+        for (const glm::dvec3& corner : corners) {
+            const glm::dvec3 at = map.coordinates(corner);
+            out.faces[0].emplace_back(at.x, at.y, 2 * at.z - 1, 1);
+        }
+    });
+    for (const SurfaceOrigin& origin : surfaces.origins)
+        out.coordinates.emplace_back(coordinatesOf(scene, map, origin));
+    return out;
 }
 
 }  // namespace gnomon

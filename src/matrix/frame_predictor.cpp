@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "matrix/depth_ties.h"
+#include "predict/map_prediction.h"
 #include "volume/blockers.h"
 
 namespace gnomon {
@@ -41,8 +42,10 @@ struct FramePredictor::Impl {
 
     using LitKey = std::tuple<int, Silhouette, CapFaces>;
     std::map<LitKey, std::shared_ptr<const std::vector<LitCaster>>> casters{};  ///< by light, ...
+    std::map<std::pair<int, int>, std::shared_ptr<MapDepths>> maps{};           ///< by light, size
 
     // Of the selected frame
+    std::map<std::pair<int, DepthEncoding>, std::shared_ptr<const SeenWindow>> windows{};  ///< by depth
     using CrossingsKey = std::tuple<LitKey, float, int, int, DepthEncoding>;
     std::map<CrossingsKey, std::shared_ptr<const Crossings>>
         crossings{};  ///< by light, ..., offset, divisor of the mask, depth
@@ -73,6 +76,18 @@ struct FramePredictor::Impl {
         });
     }
 
+    std::shared_ptr<const SeenWindow> windowOf(const RenderedMask& mask) {
+        const int depth = mask.format.depth;
+        return kept(windows, {depth, mask.chip.depth}, [&] {
+            return std::make_shared<const SeenWindow>(scene, view, tiesOf(depth, mask.chip.depth));
+        });
+    }
+
+    std::shared_ptr<MapDepths> depthsOf(int index, int size) {
+        return kept(maps, {index, size},
+                    [&] { return std::make_shared<MapDepths>(scene, light(index), size); });
+    }
+
     const Eye& eyeOf(const LitKey& key) {
         auto [at, isNew] = eyes.try_emplace(key);
         if (isNew) {
@@ -92,6 +107,19 @@ struct FramePredictor::Impl {
                 .channel = mask.axes.store == Store::Alpha ? 3 : 0};
     }
 
+    /// The pixels that hold what @p prediction does not allow; counts them.
+    template <class Prediction>
+    static std::vector<bool> held(const RenderedMask& mask, const Prediction& prediction, Explained& out) {
+        std::vector<bool> isUnpredicted(mask.values.size());
+        for (std::size_t p = 0; p < mask.values.size(); ++p) {
+            if (mask.judgement.pixels[p] == PixelVerdict::Tied || prediction.allows(p, mask.values[p]))
+                continue;
+            isUnpredicted[p] = true;
+            ++out.unpredicted;
+        }
+        return isUnpredicted;
+    }
+
     Explained explain(const RenderedMask& mask) {
         Explained out;
         const Axes& axes = mask.axes;
@@ -106,7 +134,16 @@ struct FramePredictor::Impl {
             return out;
         }
         if (axes.store == Store::DepthMap) {
-            causeEach([](std::size_t) { return Cause::MapResolution; });
+            const MapMaskInputs inputs{.plan = mask.plan,
+                                       .light = mask.light,
+                                       .window = *windowOf(mask),
+                                       .depths = *depthsOf(mask.light, mask.plan.mapSize),
+                                       .arithmetic = arithmeticOf(mask)};
+            const MapPrediction prediction(inputs);
+            const std::vector<bool> isUnpredicted = held(mask, prediction, out);
+            causeEach([&](std::size_t p) {
+                return isUnpredicted[p] ? Cause::Unexplained : prediction.causeOf(p, mask.truth.blocked[p]);
+            });
             return out;
         }
 
@@ -125,12 +162,7 @@ struct FramePredictor::Impl {
         MaskPrediction prediction(inputs);
         const WindowPrediction window(mask.plan, prediction, inputs.arithmetic.bits());
 
-        std::vector<bool> isUnpredicted(mask.values.size());
-        for (std::size_t p = 0; p < mask.values.size(); ++p) {
-            if (mask.judgement.pixels[p] == PixelVerdict::Tied || window.allows(p, mask.values[p])) continue;
-            isUnpredicted[p] = true;
-            ++out.unpredicted;
-        }
+        const std::vector<bool> isUnpredicted = held(mask, window, out);
 
         std::shared_ptr<const Crossings> whole, winding;
         CauseInputs causes{.truth = mask.truth, .mask = inputs, .prediction = prediction};
@@ -159,6 +191,7 @@ void FramePredictor::select(const View& view) {
     m_impl->view = view;
     m_impl->crossings.clear();
     m_impl->eyes.clear();
+    m_impl->windows.clear();
 }
 
 Explained FramePredictor::explain(const RenderedMask& mask) {

@@ -84,6 +84,34 @@ Cone Cone::triangle(const View& view, const glm::dvec3& a, const glm::dvec3& b, 
     return cone;
 }
 
+Cone Cone::parallel(const View& view, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    Cone cone;
+    cone.m_parallel = true;
+    const glm::dvec3 corners[3] = {a - view.eye, b - view.eye, c - view.eye};
+    glm::dvec2 p[3];
+    double inverse[3];
+    for (int k = 0; k < 3; ++k) {
+        p[k] = parallelPosition(view, corners[k]);
+        inverse[k] = 1 - glm::dot(corners[k], view.forward) / (2 * view.tanHalfX);
+    }
+    const auto cross = [](const glm::dvec2& u, const glm::dvec2& v) { return u.x * v.y - u.y * v.x; };
+    const glm::dvec2 toB = p[1] - p[0], toC = p[2] - p[0];
+    const double area = cross(toB, toC);
+    if (area == 0) return cone;
+    cone.m_front = area > 0;
+    const double sign = area > 0 ? 1 : -1;
+    for (int k = 0; k < 3; ++k) {
+        const glm::dvec2 &from = p[k], edge = p[(k + 1) % 3] - from;
+        const WindowLine line{-sign * edge.y, sign * edge.x, -sign * cross(edge, from)};
+        cone.addLine(view, {}, line, kRounding * glm::length(edge) * (glm::length(from) + view.width));
+    }
+    const double atB = inverse[1] - inverse[0], atC = inverse[2] - inverse[0];
+    cone.m_inverse.x = (atB * toC.y - atC * toB.y) / area;
+    cone.m_inverse.y = (atC * toB.x - atB * toC.x) / area;
+    cone.m_inverse.c = inverse[0] - cone.m_inverse.x * p[0].x - cone.m_inverse.y * p[0].y;
+    return cone;
+}
+
 Cone Cone::side(const View& view, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec4& light) {
     Cone cone;
     const int facing = -orientation(view.eye, from, to, light);
@@ -140,7 +168,7 @@ Cone Cone::nearCap(const View& view, const glm::vec3& a, const glm::vec3& b, con
 
 bool Cone::holds(const EyeRay& ray, double x, double y) const {
     const double value = inside(x, y);
-    if (std::abs(value) > m_error) return value > 0;
+    if (std::abs(value) > m_error || m_parallel) return value >= 0;
     if (m_lit) return crossesExactly(*m_lit, m_light, RayPoint(ray, m_near));
     return std::all_of(m_borders.begin(), m_borders.end(), [&](const Border& border) {
         const double at = border.line.at(x, y);

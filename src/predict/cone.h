@@ -20,6 +20,12 @@ struct Difference {
     glm::dvec3 value() const { return to - from; }
 };
 
+/// Window position of a point, given from the eye of a view of parallel rays.
+inline glm::dvec2 parallelPosition(const View& view, const glm::dvec3& fromEye) {
+    return {(glm::dot(fromEye, view.right) / view.tanHalfX + 1) / 2 * view.width,
+            (glm::dot(fromEye, view.up) / view.tanHalfY + 1) / 2 * view.height};
+}
+
 /// A convex face as the eye sees it: the directions in which it lies, a cone. A corner at infinity is its
 /// direction. Nothing is cut and nothing divided, so that faces which reach behind the eye or to infinity are
 /// like all others: the ray along d crosses the face if d is a sum of its corners' directions with positive
@@ -28,6 +34,10 @@ class Cone {
   public:
     /// The triangle between three points, counter-clockwise seen from its front.
     static Cone triangle(const View& view, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
+
+    /// The triangle as parallel rays see it, those of a directional light's map (LightMap): not by
+    /// directions, but by its corners in the map. Whether it holds a border is not exact.
+    static Cone parallel(const View& view, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c);
 
     /// The side that hangs from an edge away from the light, wound as sideFace() has it.
     static Cone side(const View& view, const glm::dvec3& from, const glm::dvec3& to, const glm::dvec4& light);
@@ -45,7 +55,7 @@ class Cone {
     bool isEmpty() const { return m_borders.size() == 0; }
     bool isFront() const { return m_front; }
 
-    /// 1 / distance along forward, over the window; 0 at infinity.
+    /// 1 / distance along forward, over the window; 0 at infinity. Parallel rays: 1 - window depth.
     const WindowLine& inverseDistance() const { return m_inverse; }
 
     /// How far inside of its borders a window position lies, in pixels; negative outside.
@@ -86,7 +96,7 @@ class Cone {
     void setPlane(const View& view, const Difference& u, const Difference& v, const Difference& base);
 
     Few<Border, 4> m_borders{};
-    bool m_front = false;
+    bool m_front = false, m_parallel = false;
     double m_error = 0;
     WindowLine m_inverse{};
     Difference m_planeU{}, m_planeV{}, m_planeBase{};  ///< normal u x v; a point of it, from the eye

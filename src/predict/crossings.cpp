@@ -6,19 +6,16 @@
 #include <optional>
 
 #include "predict/cone.h"
-#include "truth/count_ties.h"
-#include "volume/orient.h"
+#include "predict/pixel_block.h"
+#include "predict/seen_surfaces.h"
 
 namespace gnomon {
 namespace {
 
 constexpr int kBandRows = 16;
-/// How far a rasteriser may move a corner, pixels.
-constexpr double kCorner = 1.4142135623730951 * kSubpixel;
-constexpr double kNearRounding = 1e-6;  ///< of a cut at the near plane, in window depth
 constexpr double kInverseRounding = 1e-12;
 
-/// A face that is yet to be made a cone of: of the scene's surfaces, or of volumes.
+/// A face of a volume that is yet to be made a cone of.
 struct FaceSource {
     Piece piece = Piece::LightCap;
     std::uint32_t volume = 0;
@@ -34,62 +31,35 @@ glm::uvec3 sorted(glm::uvec3 t) {
     return t;
 }
 
-/// The slope of window depth over the window; depth is 1 - near / distance.
-glm::dvec2 depthSlope(const WindowLine& inverse, double near) {
-    return -near * glm::dvec2(inverse.x, inverse.y);
-}
-
-/// A surface that one pixel may see; without a face it is the background.
-struct Seen {
-    const FaceSource* face = nullptr;
-    double inverse = 0;  ///< 1 / distance
-    glm::dvec2 slope{};  ///< of its window depth
-    bool isSure = true, holds = true;
-};
-
 class Finder {
   public:
     Finder(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light, const View& view,
            const DepthTies& ties, float offset)
-        : m_scene(scene), m_light(light), m_view(view), m_ties(ties), m_offset(offset) {
-        listSurfaces();
+        : m_scene(scene),
+          m_light(light),
+          m_view(view),
+          m_offset(offset),
+          m_surfaces(scene, surfaceFaces(scene), view, ties, view.width, kBandRows) {
         listVolumes(lit);
-        const std::size_t bands = std::size_t((view.height + kBandRows - 1) / kBandRows);
-        m_surfaceBands.resize(bands);
-        m_volumeBands.resize(bands);
-        assign(m_surfaces, m_surfaceBands);
-        assign(m_volumes, m_volumeBands);
-        m_hits.resize(std::size_t(kBandRows) * std::size_t(view.width));
-        m_found.resize(m_hits.size());
+        m_bands.resize(std::size_t(m_surfaces.blockRows()));
+        assignVolumes();
+        m_found.resize(std::size_t(kBandRows) * std::size_t(view.width));
     }
 
     Crossings find() {
         m_out.width = m_view.width, m_out.height = m_view.height;
         m_out.exact.resize(std::size_t(m_view.width) * std::size_t(m_view.height));
-        for (int band = 0; band < int(m_surfaceBands.size()); ++band) {
-            // Bands from the bottom, as the window's y.
-            const int first = band * kBandRows, last = std::min(first + kBandRows, m_view.height);
-            for (auto& hits : m_hits) hits.clear();
+        for (int row = 0; row < int(m_bands.size()); ++row) {
+            const PixelBlock band = m_surfaces.block(0, row);
+            m_hits = m_surfaces.find(0, row);
             for (auto& alternatives : m_found) alternatives.clear();
-            for (const std::uint32_t s : m_surfaceBands[std::size_t(band)])
-                findSurface(m_surfaces[s], first, last);
-            for (auto& hits : m_hits) keepVisible(hits);
-            for (const std::uint32_t v : m_volumeBands[std::size_t(band)])
-                findFace(m_volumes[v], first, last);
-            sign(first, last);
+            for (const std::uint32_t v : m_bands[std::size_t(row)]) findFace(m_volumes[v], band);
+            sign(band);
         }
         return std::move(m_out);
     }
 
   private:
-    using Bands = std::vector<std::vector<std::uint32_t>>;
-
-    void listSurfaces() {
-        for (std::uint32_t o = 0; o < m_scene.objects.size(); ++o)
-            for (const glm::uvec3& t : m_scene.objects[o].mesh.triangles)
-                m_surfaces.push_back({.object = o, .corners = t});
-    }
-
     void listVolumes(std::span<const LitCaster> lit) {
         std::uint32_t volume = 0;
         const auto add = [&](const LitCaster& caster, std::span<const glm::uvec3> caps,
@@ -127,7 +97,7 @@ class Finder {
         return p + double(m_offset) * glm::normalize(m_light.w == 0 ? -l : p - l);
     }
 
-    Cone coneOf(const FaceSource& face, bool isSurface) const {
+    Cone coneOf(const FaceSource& face) const {
         switch (face.piece) {
             case Piece::Side:
             case Piece::NearSide:
@@ -140,137 +110,49 @@ class Finder {
             case Piece::NearLightCap:
                 break;
         }
-        if (isSurface) return Cone::triangle(m_view, at(face, 0), at(face, 1), at(face, 2));
         return Cone::triangle(m_view, start(face, 0), start(face, 1), start(face, 2));
     }
 
     /// Corners of the face as directions from the eye, those at infinity as directions; none for near caps.
-    void directions(const FaceSource& face, bool isSurface, std::vector<glm::dvec3>& out) const {
+    void directions(const FaceSource& face, std::vector<glm::dvec3>& out) const {
         out.clear();
         const glm::dvec3 l(m_light);
         const int finite = face.piece == Piece::Side ? 2 : face.piece == Piece::LightCap ? 3 : 0;
-        for (int k = 0; k < finite; ++k)
-            out.push_back((isSurface ? at(face, k) : start(face, k)) - m_view.eye);
+        for (int k = 0; k < finite; ++k) out.push_back(start(face, k) - m_view.eye);
         const int infinite = face.piece == Piece::Side ? 2 : face.piece == Piece::FarCap ? 3 : 0;
         for (int k = 0; k < infinite; ++k)
             out.push_back(m_light.w == 0 ? -l
                                          : (face.piece == Piece::Side ? start(face, k) : at(face, k)) - l);
     }
 
-    /// Which rows, from the bottom, a face may touch.
-    std::pair<int, int> rowsOf(const FaceSource& face, bool isSurface) {
-        const std::pair<int, int> none{0, 0}, all{0, m_view.height};
-        if (face.piece == Piece::NearCap) {
-            const Cone cone = coneOf(face, isSurface);
-            return cone.missesWindow(m_view.width, m_view.height, kCorner) ? none : all;
+    /// The rows that a face may touch: [first, second), from the bottom.
+    std::pair<int, int> rowsOf(const FaceSource& face) {
+        if (face.piece != Piece::NearCap) {
+            directions(face, m_corners);
+            if (const auto block = blockOf(m_view, m_corners))
+                return block->isEmpty() ? std::pair(0, 0) : std::pair(block->bottom, block->top);
         }
-        directions(face, isSurface, m_corners);
-        double low = m_view.height, high = 0, left = m_view.width, right = 0;
-        bool anyInFront = false, allInFront = true;
-        for (const glm::dvec3& d : m_corners) {
-            const double w = glm::dot(d, m_view.forward);
-            const bool isInFront = w > 1e-9 * glm::length(d);
-            anyInFront = anyInFront || w > 0;
-            allInFront = allInFront && isInFront;
-            if (!isInFront) continue;
-            const double x = (glm::dot(d, m_view.right) / (w * m_view.tanHalfX) + 1) / 2 * m_view.width;
-            const double y = (glm::dot(d, m_view.up) / (w * m_view.tanHalfY) + 1) / 2 * m_view.height;
-            low = std::min(low, y), high = std::max(high, y);
-            left = std::min(left, x), right = std::max(right, x);
-        }
-        if (!anyInFront) return none;
-        if (!allInFront)
-            return coneOf(face, isSurface).missesWindow(m_view.width, m_view.height, kCorner) ? none : all;
-        constexpr double kBeside = 1;
-        if (high < -kBeside || low > m_view.height + kBeside || right < -kBeside ||
-            left > m_view.width + kBeside)
-            return none;
-        return {std::max(0, int(std::floor(std::max(low, 0.0) - kBeside))),
-                int(std::ceil(std::min(high, double(m_view.height)) + kBeside))};
+        if (coneOf(face).missesWindow(m_view.width, m_view.height, kCorner)) return {0, 0};
+        return {0, m_view.height};
     }
 
-    void assign(const std::vector<FaceSource>& faces, Bands& bands) {
-        for (std::uint32_t i = 0; i < faces.size(); ++i) {
-            const auto [first, last] = rowsOf(faces[i], &faces == &m_surfaces);
-            const int end = std::min(last, m_view.height);
-            for (int band = first / kBandRows; band * kBandRows < end; ++band)
-                bands[std::size_t(band)].push_back(i);
+    void assignVolumes() {
+        for (std::uint32_t i = 0; i < m_volumes.size(); ++i) {
+            const auto [first, last] = rowsOf(m_volumes[i]);
+            for (int band = first / kBandRows; band * kBandRows < last; ++band)
+                m_bands[std::size_t(band)].push_back(i);
         }
     }
 
     EyeRay rayAt(double x, double y) const { return {m_view.eye, rayDirection(m_view, x, y)}; }
 
-    /// Calls @p visit(slot, x, y, isSure, holds) for each pixel of the rows [first, last) that the cone may
-    /// cover.
-    template <class Visit>
-    void eachPixel(const Cone& cone, int first, int last, const Visit& visit) {
-        if (cone.isEmpty()) return;
-        const double slack = kCorner + cone.insideError();
-        for (int row = first; row < last; ++row) {
-            const double y = row + 0.5;
-            const auto [begin, end] = cone.columns(y, kCorner, m_view.width);
-            for (int column = begin; column < end; ++column) {
-                const double x = column + 0.5, inside = cone.inside(x, y);
-                const bool isSure = inside > slack;
-                const bool holds =
-                    isSure ||
-                    (std::abs(inside) > cone.insideError() ? inside > 0 : cone.holds(rayAt(x, y), x, y));
-                visit(std::size_t(row - first) * std::size_t(m_view.width) + std::size_t(column), x, y,
-                      isSure, holds);
-            }
-        }
-    }
-
-    void findSurface(const FaceSource& face, int first, int last) {
-        const Cone cone = coneOf(face, true);
-        const glm::dvec2 slope = depthSlope(cone.inverseDistance(), m_view.nearPlane);
-        const double nearSlack = kCorner * glm::length(slope) + kNearRounding;
-        eachPixel(cone, first, last, [&](std::size_t slot, double x, double y, bool isSure, bool holds) {
-            const double inverse = cone.inverseDistance().at(x, y);
-            const double depth = 1 - m_view.nearPlane * inverse;
-            if (depth < -nearSlack) return;
-            m_hits[slot].push_back({&face, inverse, slope, isSure && depth > nearSlack, holds && depth >= 0});
-        });
-    }
-
-    double bandOf(double inverse) const { return m_ties.bandAt(1 - m_view.nearPlane * inverse); }
-
-    /// Leaves the surfaces that may be seen, the one that is seen in exact arithmetic first; the background
-    /// where there may be none.
-    void keepVisible(std::vector<Seen>& hits) const {
-        const Seen* sure = nullptr;
-        std::size_t nearest = hits.size();
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (hits[i].isSure && (!sure || hits[i].inverse > sure->inverse)) sure = &hits[i];
-            // Of surfaces at one depth any is as good.
-            if (hits[i].holds && (nearest == hits.size() || hits[i].inverse > hits[nearest].inverse))
-                nearest = i;
-        }
-        const std::optional<Seen> front = sure ? std::optional(*sure) : std::nullopt;
-        std::vector<Seen> kept;
-        const Seen background{};
-        kept.push_back(nearest < hits.size() ? hits[nearest] : background);
-        for (std::size_t i = 0; i < hits.size(); ++i) {
-            if (i == nearest) continue;
-            if (front) {
-                const double behind = m_view.nearPlane * (front->inverse - hits[i].inverse);
-                const double slack =
-                    bandOf(front->inverse) + kCorner * glm::length(front->slope - hits[i].slope);
-                if (behind > slack) continue;
-            }
-            kept.push_back(hits[i]);
-        }
-        if (!front && nearest < hits.size()) kept.push_back(background);
-        hits.swap(kept);
-    }
-
-    void findFace(const FaceSource& face, int first, int last) {
-        const Cone cone = coneOf(face, false);
+    void findFace(const FaceSource& face, const PixelBlock& band) {
+        const Cone cone = coneOf(face);
         const glm::dvec2 slope = depthSlope(cone.inverseDistance(), m_view.nearPlane);
         const bool splits = face.piece == Piece::Side || face.piece == Piece::LightCap;
         const double nearSlack = splits ? kCorner * glm::length(slope) + kNearRounding : 0;
         const glm::uvec3 own = face.piece == Piece::LightCap ? sorted(face.corners) : glm::uvec3(0);
-        eachPixel(cone, first, last, [&](std::size_t slot, double x, double y, bool isSure, bool holds) {
+        eachPixel(cone, m_view, band, [&](std::size_t slot, double x, double y, bool isSure, bool holds) {
             const double inverse = cone.inverseDistance().at(x, y);
             const double depth = 1 - m_view.nearPlane * inverse;
             const auto& seen = m_hits[slot];
@@ -323,7 +205,7 @@ class Finder {
     void relate(Crossing& c, const Seen& seen, double inverse, const glm::dvec2& slope, double x, double y,
                 const Cone* cone, bool covers, bool holds) const {
         const double behind = m_view.nearPlane * (seen.inverse - inverse);
-        const double slack = bandOf(seen.inverse) + kCorner * glm::length(slope - seen.slope);
+        const double slack = m_surfaces.bandOf(seen.inverse) + kCorner * glm::length(slope - seen.slope);
         std::uint8_t possible = kBefore | kAt | kBehind;
         if (behind > slack) possible = kBehind;
         if (behind < -slack) possible = kBefore;
@@ -351,18 +233,17 @@ class Finder {
     }
 
     /// Sign of the face's depth less that of a surface's plane along the same ray.
-    double exactlyBehind(const Cone& face, const FaceSource& surface, double x, double y) const {
+    double exactlyBehind(const Cone& face, const SurfaceFace& surface, double x, double y) const {
         const EyeRay ray = rayAt(x, y);
-        const Rational difference = coneOf(surface, true).exactInverse(ray) - face.exactInverse(ray);
+        const Rational difference = m_surfaces.coneOf(surface).exactInverse(ray) - face.exactInverse(ray);
         return difference.sign();
     }
 
-    /// Turns what was found in the rows [first, last) into signatures.
-    void sign(int first, int last) {
-        for (int row = first; row < last; ++row) {
+    /// Turns what was found in a band into signatures.
+    void sign(const PixelBlock& band) {
+        for (int row = band.bottom; row < band.top; ++row) {
             for (int column = 0; column < m_view.width; ++column) {
-                const std::size_t slot =
-                    std::size_t(row - first) * std::size_t(m_view.width) + std::size_t(column);
+                const std::size_t slot = band.slot(column, row);
                 const auto pixel = std::uint32_t((m_view.height - 1 - row) * m_view.width + column);
                 auto& alternatives = m_found[slot];
                 alternatives.resize(m_hits[slot].size());
@@ -398,14 +279,14 @@ class Finder {
     const Scene& m_scene;
     const glm::vec4 m_light;
     const View& m_view;
-    const DepthTies& m_ties;
     const float m_offset;
-    std::vector<FaceSource> m_surfaces{}, m_volumes{};
-    Bands m_surfaceBands{}, m_volumeBands{};  ///< faces that a band of rows may see
+    SeenSurfaces m_surfaces;
+    std::vector<FaceSource> m_volumes{};
+    std::vector<std::vector<std::uint32_t>> m_bands{};  ///< faces of volumes that a band of rows may see
     std::vector<glm::dvec3> m_corners{};
 
     // Of one band, by pixel
-    std::vector<std::vector<Seen>> m_hits{};
+    std::span<const std::vector<Seen>> m_hits{};
     std::vector<std::vector<Signature>> m_found{};  ///< for each surface that may be seen
 
     Crossings m_out{};
