@@ -29,7 +29,8 @@ enum class Cause : std::uint8_t {
     // Where the count starts
     EyeInside,      ///< a volume holds the eye and is not counted
     EyeOnFace,      ///< the eye lies in a face of a volume, and the count starts at the eye
-    NearPlaneCuts,  ///< a volume holds the near plane's point of the pixel, but not the eye
+    NearPlaneCuts,  ///< a volume holds the near plane's point of the pixel, but not the eye; of a depth map:
+                    ///< the caster lies between the light and the map's near plane
     FarPlane,       ///< what would count lies beyond the far plane
 
     // Which volumes are drawn

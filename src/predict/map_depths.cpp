@@ -60,7 +60,7 @@ std::span<const StoredDepth> MapDepths::at(int face, int x, int y) {
     return std::span(tile->stored).subspan(tile->first[slot], tile->first[slot + 1] - tile->first[slot]);
 }
 
-double MapDepths::along(int face, double x, double y, const SurfaceFace& own) const {
+double MapDepths::along(int face, double x, double y, const SurfaceFace& own, bool uncut) const {
     const SeenSurfaces& surfaces = m_faces[std::size_t(face)];
     const auto tileAt = [&](double at) { return std::clamp(int(at), 0, m_size - 1) / kTile; };
     const View& view = surfaces.view();
@@ -71,7 +71,7 @@ double MapDepths::along(int face, double x, double y, const SurfaceFace& own) co
         const Cone cone = surfaces.coneOf(caster);
         if (cone.isEmpty() || !cone.holds({view.eye, rayDirection(view, x, y)}, x, y)) continue;
         const double inverse = cone.inverseDistance().at(x, y);
-        if (view.nearPlane * inverse <= 1) nearest = std::max(nearest, inverse);
+        if (uncut || view.nearPlane * inverse <= 1) nearest = std::max(nearest, inverse);
     }
     return nearest;
 }

@@ -38,7 +38,8 @@ class MapDepths {
 
     /// Seen::inverse of the nearest caster other than @p own along the light's ray through a position of the
     /// map, in texels: what a map without texels would hold. 0 if there is none.
-    double along(int face, double x, double y, const SurfaceFace& own) const;
+    /// @param uncut  casters before the map's near plane too
+    double along(int face, double x, double y, const SurfaceFace& own, bool uncut = false) const;
 
   private:
     struct Tile;

@@ -184,10 +184,13 @@ Cause MapPrediction::causeOf(std::size_t pixel, bool blocked) const {
     const InFace point = inFace(place, faceOf(place.at));
     // Casters that the point touches don't hide it.
     constexpr double kTouch = 1e-9;
-    const StoredDepth caster{in.depths.along(point.face, point.texel.x, point.texel.y, *seen.face), 0};
-    const auto isRight = [&](double bias) { return (behind(point, caster, bias) > kTouch) == blocked; };
-    if (isRight(in.plan.mapBias)) return Cause::MapResolution;
-    return isRight(0) ? Cause::MapBias : Cause::Unexplained;
+    const auto isRight = [&](double bias, bool uncut) {
+        const double inverse = in.depths.along(point.face, point.texel.x, point.texel.y, *seen.face, uncut);
+        return (behind(point, {inverse, 0}, bias) > kTouch) == blocked;
+    };
+    if (isRight(in.plan.mapBias, false)) return Cause::MapResolution;
+    if (isRight(0, false)) return Cause::MapBias;
+    return isRight(0, true) ? Cause::NearPlaneCuts : Cause::Unexplained;
 }
 
 }  // namespace gnomon

@@ -246,5 +246,13 @@ TEST(MapPrediction, LargeBiasLosesTheShadow) {
     EXPECT_THAT(causes, testing::Each(Cause::MapBias));
 }
 
+// The light is nearer to the box's top than 2/1000 of the scene's radius, where the map begins.
+TEST(MapPrediction, CasterBeforeTheMapsNearPlaneIsLeftOut) {
+    const Scene scene = boxOverFloor({0.21f, 1.033f, 0.17f, 1});
+    const std::vector<Cause> causes = causesOf(Predicted(scene, 64, 0.02f));
+    EXPECT_GT(std::count(causes.begin(), causes.end(), Cause::NearPlaneCuts), 50);
+    EXPECT_EQ(std::count(causes.begin(), causes.end(), Cause::Unexplained), 0);
+}
+
 }  // namespace
 }  // namespace gnomon
