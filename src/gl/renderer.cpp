@@ -166,11 +166,11 @@ class PassRunner {
             : pass.shading == Shading::Diffuse ? m_lights(pass.light).colours->diffuse
             : pass.shading == Shading::Ambient ? m_surfaces.ambient
                                                : mixed;
-        // Mesa loses the next glColor where a colour array is enabled and nothing drawn.
-        if (m_surfaces.positions.empty()) gl.DisableClientState(GL_COLOR_ARRAY);
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(m_surfaces.positions);
         gl.DisableClientState(GL_COLOR_ARRAY);
+        // Where a colour array is enabled and nothing drawn, Mesa forgets that the colour has changed.
+        if (m_surfaces.positions.empty()) gl.Color4f(0, 0, 0, 0);
         if (pass.program != Program::None) m_programs.useNone();
     }
 
