@@ -108,6 +108,11 @@ struct Explainer::Impl {
         if (prediction.startsAtEye() && in.mask.eyeOnFace) return Cause::EyeOnFace;
         if (isRight(prediction)) {
             if (!isFullSize()) return Cause::MaskResolution;
+            // Right by luck, with entries lost; or a mask without limits would be right however doubtful
+            // faces fall.
+            const auto [least, most] = prediction.unlimitedCounts(x, y);
+            const bool isFirm = blocked ? least > 0 || most < 0 : least == 0 && most == 0;
+            if (isFirm || prediction.isStuck(x, y)) return limit(prediction);
             return prediction.doubt(x, y) == MaskPrediction::Doubt::Own ? Cause::OwnCapAndSide
                                                                         : Cause::DepthPrecision;
         }

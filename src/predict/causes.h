@@ -43,8 +43,8 @@ enum class Cause : std::uint8_t {
     DepthPrecision,  ///< a depth, or a corner, within what the chip and the rasteriser round
     OwnCapAndSide,   ///< the same of the seen triangle's own cap and sides
     MaskResolution,
-    MapResolution,
-    MapBias,
+    MapResolution,  ///< another caster's depth, somewhere else in the texel
+    MapBias,  ///< too large: a caster before the point is passed over; too small: a surface shadows itself
 
     Unexplained,  ///< none of these: a defect
 };

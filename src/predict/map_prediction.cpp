@@ -188,6 +188,12 @@ Cause MapPrediction::causeOf(std::size_t pixel, bool blocked) const {
         const double inverse = in.depths.along(point.face, point.texel.x, point.texel.y, *seen.face, uncut);
         return (behind(point, {inverse, 0}, bias) > kTouch) == blocked;
     };
+    if (!blocked) {
+        // A surface that shadows itself, since its depth changes within the texel: the bias is too small.
+        const double others = in.depths.along(point.face, std::floor(point.texel.x) + 0.5,
+                                              std::floor(point.texel.y) + 0.5, *seen.face);
+        if (behind(point, {others, 0}, in.plan.mapBias) <= kTouch) return Cause::MapBias;
+    }
     if (isRight(in.plan.mapBias, false)) return Cause::MapResolution;
     if (isRight(0, false)) return Cause::MapBias;
     return isRight(0, true) ? Cause::NearPlaneCuts : Cause::Unexplained;

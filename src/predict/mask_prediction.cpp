@@ -1,6 +1,7 @@
 #include "predict/mask_prediction.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <stdexcept>
@@ -94,6 +95,8 @@ struct MaskPrediction::Impl {
     struct Outcome {
         bool isKnown = false;
         int exact = 0, unlimited = 0, nearCaps = 0;
+        int leastUnlimited = 0, mostUnlimited = 0;
+        bool isStuck = false;
         Values values{};
     };
 
@@ -108,10 +111,14 @@ struct MaskPrediction::Impl {
         bool isFirst = true;
         in.crossings.each(pixel, [&](std::uint32_t signature) {
             const Outcome& one = of(signature, x, y);
-            if (isFirst)
+            if (isFirst) {
                 all = one;
-            else
+            } else {
+                all.leastUnlimited = std::min(all.leastUnlimited, one.leastUnlimited);
+                all.mostUnlimited = std::max(all.mostUnlimited, one.mostUnlimited);
+                all.isStuck = all.isStuck || one.isStuck;
                 all.values.insert(all.values.end(), one.values.begin(), one.values.end());
+            }
             isFirst = false;
         });
         makeSet(all.values);
@@ -272,6 +279,7 @@ struct MaskPrediction::Impl {
             std::all_of(signature.begin(), signature.end(), [](const Crossing& c) { return c.isSure(); });
         int exact = start(), net = startsAtEye() ? in.holdingEye : 0;
         if (!startsAtEye() && run.place == MaskPlace::Stencil) net = exact - tap.test.reference;
+        int least = net, most = net;
         Values values{std::uint16_t(exact)};
 
         // The passes that touch this ray, in their order.
@@ -312,16 +320,23 @@ struct MaskPrediction::Impl {
                     if (c.front != front || !draws(pass, c.piece)) continue;
                     const Meeting met = meeting(pass, front, c.exact);
                     if (met != kNothing) {
+                        const int before = exact;
                         exact = afterFragment(index, met, exact);
+                        outcome.isStuck = outcome.isStuck || (exact == before && direction(pass, met) != 0);
                         net += direction(pass, met);
                     }
-                    if (!isSure) spread(index, c, values);
+                    if (isSure) continue;
+                    const auto [down, up] = directions(pass, c);
+                    least += down, most += up;
+                    outcome.isStuck = spread(index, c, values) || outcome.isStuck;
                 }
             }
             if (isSure) values = {std::uint16_t(exact)};
         }
         outcome.exact = exact;
         outcome.unlimited = net;
+        outcome.leastUnlimited = isSure ? net : least;
+        outcome.mostUnlimited = isSure ? net : most;
         if (!countsNearCaps)
             outcome.nearCaps = int(std::count_if(signature.begin(), signature.end(), [](const Crossing& c) {
                 return c.piece == Piece::NearCap && c.exact != kAbsent;
@@ -334,22 +349,42 @@ struct MaskPrediction::Impl {
         }
     }
 
-    /// All values after one crossing, drawn in any way that is possible.
-    void spread(std::size_t index, const Crossing& c, Values& values) {
+    /// The least and the most that a crossing may add to a count without limits.
+    std::pair<int, int> directions(const Pass& pass, const Crossing& c) const {
+        int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
+        const auto add = [&](std::uint8_t where) {
+            const Meeting met = meeting(pass, c.front, where);
+            const int step = met == kNothing ? 0 : direction(pass, met);
+            least = std::min(least, step), most = std::max(most, step);
+        };
+        for (const std::uint8_t where : {kBefore, kAt, kBehind})
+            if (c.possible & where) add(where);
+        if (c.possible & kMaybeAbsent) add(kAbsent);
+        return {least, most};
+    }
+
+    /// All values after one crossing, drawn in any way that is possible; whether one of them is stuck at its
+    /// limit.
+    bool spread(std::size_t index, const Crossing& c, Values& values) {
         const Pass& pass = plan.passes[index];
         bool ways[kMeetings] = {};
         for (const std::uint8_t where : {kBefore, kAt, kBehind})
             if (c.possible & where) ways[meeting(pass, c.front, where)] = true;
         if (c.possible & kMaybeAbsent) ways[kNothing] = true;
         Values next;
+        bool isStuck = false;
         for (int way = 0; way < kMeetings; ++way) {
             if (!ways[way]) continue;
-            for (const std::uint16_t value : values)
+            const bool changes = way != kNothing && direction(pass, Meeting(way)) != 0;
+            for (const std::uint16_t value : values) {
                 next.push_back(way == kNothing ? value
                                                : std::uint16_t(afterFragment(index, Meeting(way), value)));
+                isStuck = isStuck || (changes && next.back() == value);
+            }
         }
         makeSet(next);
         values.swap(next);
+        return isStuck;
     }
 
     /// Whether the volume is there beyond doubt.
@@ -414,6 +449,10 @@ int MaskPrediction::codeOf(int shown) const {
 int MaskPrediction::unlimitedCount(int x, int y) const {
     return m_impl->at(x, y).unlimited;
 }
+std::pair<int, int> MaskPrediction::unlimitedCounts(int x, int y) const {
+    const auto& outcome = m_impl->at(x, y);
+    return {outcome.leastUnlimited, outcome.mostUnlimited};
+}
 bool MaskPrediction::countsFromEye() const {
     return m_impl->entersBefore != 0;
 }
@@ -442,6 +481,10 @@ bool MaskPrediction::hasCodes() const {
 }
 int MaskPrediction::uncountedNearCaps(int x, int y) const {
     return m_impl->at(x, y).nearCaps;
+}
+
+bool MaskPrediction::isStuck(int x, int y) const {
+    return m_impl->at(x, y).isStuck;
 }
 
 MaskPrediction::Doubt MaskPrediction::doubt(int x, int y) const {

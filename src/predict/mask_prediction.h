@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "plan/plan.h"
@@ -59,6 +60,12 @@ class MaskPrediction {
     /// What the same passes would count beyond what a lit pixel holds, had the mask no limits and did all
     /// depths and borders fall as in exact arithmetic: a shadow where it is not 0.
     int unlimitedCount(int x, int y) const;
+    /// The least and the most of that, where depths and borders may fall otherwise.
+    std::pair<int, int> unlimitedCounts(int x, int y) const;
+
+    /// Whether some face leaves the mask's value as it is, though it should change: the value is at its
+    /// limit, and an entry or an exit is lost.
+    bool isStuck(int x, int y) const;
 
     /// Whether the plan counts from the eye on, so that what holds the near plane must be added.
     bool countsFromEye() const;

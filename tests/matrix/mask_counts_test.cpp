@@ -171,7 +171,7 @@ TEST(DeepNests, WrapAMaskOf5Bits) {
 TEST(DeepNests, WrapOrSaturateAStencil) {
     Lab wraps(nest(0, 256)), saturates(nest(255, 5));
     expectWrong(wraps.run(chip("ideal"), overflowing("heidmann", Overflow::Wrap), 48, 36, 0),
-                "stencil wraps");
+                "stencil wraps to zero");
     expectWrong(saturates.run(chip("ideal"), overflowing("heidmann", Overflow::Saturate), 48, 36, 0),
                 "stencil saturates");
     EXPECT_EQ(resultOf(saturates.run(chip("ideal"), overflowing("heidmann", Overflow::Wrap), 48, 36, 0)),
