@@ -96,12 +96,12 @@ void addAll() {
     };
     const auto winding = std::make_shared<Setup>(kQuads, Silhouette::Winding);
     const auto single = std::make_shared<Setup>(kSingleQuads, Silhouette::PerTriangle);
-    add("Casters/winding", [=](auto& state) {
+    add("Casters/winding", [=](benchmark::State& state) {
         for (auto _ : state) benchmark::DoNotOptimize(winding->casters());
     });
     for (const auto& [name, of] : {std::pair("winding", winding), std::pair("per-triangle", single)}) {
         const std::shared_ptr<Setup> world = of;
-        add(std::string("Crossings/") + name, [world](auto& state) {
+        add(std::string("Crossings/") + name, [world](benchmark::State& state) {
             const auto lit = world->casters();
             for (auto _ : state) benchmark::DoNotOptimize(world->crossings(lit));
         });
@@ -109,20 +109,21 @@ void addAll() {
     for (const auto& [name, of] :
          {std::pair("stencil", Store::Stencil), std::pair("screen", Store::Screen)}) {
         const Store store = of;
-        add(std::string("Mask/") + name, [=](auto& state) {
+        add(std::string("Mask/") + name, [=](benchmark::State& state) {
             const auto lit = winding->casters();
             const Crossings crossings = winding->crossings(lit);
             const Plan plan = winding->planOf(store, lit);
             for (auto _ : state) benchmark::DoNotOptimize(winding->mask(plan, crossings));
         });
         add(
-            std::string("Frame/") + name, [=](auto& state) { run(state, *winding, store); }, 2000);
+            std::string("Frame/") + name, [=](benchmark::State& state) { run(state, *winding, store); },
+            2000);
     }
-    add("Truth", [=](auto& state) {
+    add("Truth", [=](benchmark::State& state) {
         const Tracer tracer(winding->scene, winding->scene.lights[0]);
         for (auto _ : state) benchmark::DoNotOptimize(tracer.trace(winding->view, depthTies(24)));
     });
-    add("Smoke", [](auto& state) {
+    add("Smoke", [](benchmark::State& state) {
         Setup small(12, Silhouette::Winding, 48);
         run(state, small, Store::Screen);
     });
