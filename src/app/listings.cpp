@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <cstdio>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/options.h"
@@ -65,7 +66,9 @@ void addScenes(CLI::App& app, int& status) {
         ->callback([options, &status] {
             SceneOption choice;
             choice.ids = {options->id.empty() ? "all" : options->id};
-            const auto scenes = choice.load();
+            auto scenes = choice.load();
+            // Commands that are printed name a file as it was given.
+            if (scenes.size() == 1 && std::filesystem::exists(options->id)) scenes.front().id = options->id;
             fmt::print("{}", listScenes(scenes, options->format.value()));
             if (scenes.size() == 1)
                 for (const std::string& note : scenes.front().notes)

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "matrix/hard_run.h"
 #include "method/from_words.h"
 #include "profile/words.h"
 
@@ -174,6 +175,30 @@ void SceneOption::addTo(CLI::App& app, const std::string& help) {
         ->group(group);
 }
 
+namespace {
+
+/// Refuses a hard case that promises something of what does not exist.
+void checkPromises(const std::filesystem::path& file, const Scene& scene) {
+    if (!scene.hard) return;
+    for (const auto* cells : {&scene.hard->fails, &scene.hard->exact}) {
+        for (const HardCell& cell : *cells) {
+            const auto refuse = [&](const std::string& what) {
+                throw SceneError(fmt::format("{}:{}: {}", file.string(), cell.line, what));
+            };
+            try {
+                resolve(cell, dataFolder("profiles"));
+            } catch (const std::runtime_error& error) {
+                refuse(error.what());
+            }
+            if (cell.dithers && cell.fidelity != "chip") refuse("'dither' needs fidelity = \"chip\"");
+            if (cell.frame >= int(scene.frames.size()))
+                refuse(fmt::format("'frame' must be below {}", scene.frames.size()));
+        }
+    }
+}
+
+}  // namespace
+
 std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) const {
     SceneOverrides overrides;
     if (!light.empty()) {
@@ -200,7 +225,10 @@ std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) c
     for (const std::string& id : wanted) {
         const bool isKnown =
             std::any_of(scenes.begin(), scenes.end(), [&](const Scene& s) { return s.id == id; });
-        if (!isKnown) scenes.push_back(loadScene(findScene(id, folder), overrides));
+        if (isKnown) continue;
+        const auto file = findScene(id, folder);
+        scenes.push_back(loadScene(file, overrides));
+        checkPromises(file, scenes.back());
     }
     for (Scene& scene : scenes) takeLights(scene, lights);
     return scenes;

@@ -90,21 +90,22 @@ std::string causesFile(const std::string& mask) {
 
 /// Refuses outputs that could not be written, before anything is drawn, so that all of them appear or none.
 void checkOutputs(const Options& options) {
-    std::vector<std::string> files;
+    std::vector<std::filesystem::path> files;
     for (const std::string& file : {options.image, options.mask, causesFile(options.mask), options.truth}) {
         if (file.empty()) continue;
         const std::filesystem::path path(file);
         const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
         std::error_code error;
         if (path.extension() != ".png") throw UsageError(file + ": no .png file");
-        if (std::find(files.begin(), files.end(), file) != files.end())
+        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+        if (std::find(files.begin(), files.end(), whole) != files.end())
             throw UsageError(file + ": named for two outputs");
         if (!std::filesystem::is_directory(folder, error))
             throw UsageError(file + ": no folder " + folder.string());
         if (access(folder.c_str(), W_OK) != 0) throw UsageError(file + ": can't be written");
         if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
             throw UsageError(file + ": is no regular file");
-        files.push_back(file);
+        files.push_back(whole);
     }
 }
 

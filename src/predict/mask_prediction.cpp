@@ -390,7 +390,9 @@ struct MaskPrediction::Impl {
     /// Whether the volume is there beyond doubt.
     static bool mustBeDrawn(const Signature& signature, std::uint32_t volume) {
         return std::any_of(signature.begin(), signature.end(), [&](const Crossing& c) {
-            return c.volume == volume && c.piece != Piece::NearCap && !(c.possible & kMaybeAbsent);
+            // What lies before the near plane alone is left out where no pass draws such pieces.
+            const bool isBeyond = c.piece == Piece::Side || c.piece == Piece::FarCap;
+            return c.volume == volume && isBeyond && !(c.possible & kMaybeAbsent);
         });
     }
 
@@ -442,6 +444,14 @@ bool MaskPrediction::isShadowShown(double value) const {
 }
 double MaskPrediction::shown(int value) const {
     return m_impl->hasCodes() ? 255.0 * value / largestCode(m_impl->in.arithmetic.bits()) : value;
+}
+bool MaskPrediction::isShownAs(int x, int y, int value, int shown) const {
+    const MaskChannel& channel = m_impl->in.arithmetic;
+    const bool redrawn = m_impl->hasCodes() && m_impl->tap.place == MaskPlace::Texture && !channel.openGl;
+    if (!redrawn) return codeOf(shown) == value;
+    // As a texture it goes through the chip's store once more.
+    const int again = clearedTo(channel, x, y, float(replicated(value, channel.bits())) / 255);
+    return codeOf(shown) == again;
 }
 int MaskPrediction::codeOf(int shown) const {
     return m_impl->hasCodes() ? truncated(shown, m_impl->in.arithmetic.bits()) : shown;

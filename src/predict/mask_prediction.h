@@ -54,6 +54,8 @@ class MaskPrediction {
     bool isShadowShown(double value) const;
     /// A value as it is read from the buffer: codes of a channel in 8 bits, all others as they are.
     double shown(int value) const;
+    /// Whether a value of the mask is read from the window's pixel as @p shown.
+    bool isShownAs(int x, int y, int value, int shown) const;
     /// Inverse of shown(), for what buffers give.
     int codeOf(int shown) const;
 

@@ -67,7 +67,9 @@ void WindowPrediction::stretch(bool nearest, double rounding) {
 bool WindowPrediction::allows(std::size_t pixel, int value) const {
     if (!m_ranges.empty()) return float(value) >= m_ranges[pixel].low && float(value) <= m_ranges[pixel].high;
     const glm::ivec2 at = maskPixel(pixel);
-    return m_mask.allows(at.x, at.y, m_mask.codeOf(value));
+    const auto values = m_mask.values(at.x, at.y);
+    return std::any_of(values.begin(), values.end(),
+                       [&](int code) { return m_mask.isShownAs(at.x, at.y, code, value); });
 }
 
 glm::ivec2 WindowPrediction::maskPixel(std::size_t pixel) const {

@@ -238,6 +238,13 @@ TEST(MapPrediction, CoarseMapIsWrongByItsResolution) {
     EXPECT_THAT(causes, testing::Each(Cause::MapResolution));
 }
 
+// The box's own top, which the light grazes.
+TEST(MapPrediction, WithoutABiasASurfaceShadowsItself) {
+    const Scene scene = boxOverFloor({4.4f, 1.6f, 0.7f, 1});
+    const std::vector<Cause> causes = causesOf(Predicted(scene, 64, 0));
+    EXPECT_THAT(causes, testing::Contains(Cause::MapBias));
+}
+
 // The floor is less than 1.5 times as far from the light as the box.
 TEST(MapPrediction, LargeBiasLosesTheShadow) {
     const Scene scene = boxOverFloor({0.4f, 4.3f, 0.7f, 1});
