@@ -97,7 +97,8 @@ void checkOutputs(const Options& options) {
         const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
         std::error_code error;
         if (path.extension() != ".png") throw UsageError(file + ": no .png file");
-        const std::filesystem::path whole = std::filesystem::weakly_canonical(path, error);
+        const std::filesystem::path whole =
+            std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
         if (std::find(files.begin(), files.end(), whole) != files.end())
             throw UsageError(file + ": named for two outputs");
         if (!std::filesystem::is_directory(folder, error))

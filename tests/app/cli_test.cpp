@@ -191,6 +191,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"EmptyOutput", {"render", "boxes", "-o", ""}, "-o"},
         BadArguments{"OutputThatIsNoPng", {"render", "boxes", "--mask", "mask.jpg"}, "mask.jpg"},
         BadArguments{"OutputNamedTwice", {"render", "boxes", "-o", "a.png", "--mask", "a.png"}, "a.png"},
+        BadArguments{"OutputWhereThePictureOfCausesGoes",
+                     {"render", "boxes", "-o",
+                      "./../" + std::filesystem::current_path().filename().string() + "/a-causes.png",
+                      "--mask", "a.png"},
+                     "a-causes.png"},
         BadArguments{
             "OutputInNoFolder", {"render", "boxes", "-o", "a.png", "--mask", "nowhere/a.png"}, "nowhere"},
         BadArguments{"HairlineFieldOfView", {"render", "boxes", "--fov", "1e-6"}, "0.01"},
@@ -230,6 +235,24 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"TwoScenesToPlan", {"plan", "boxes,knot"}, "--scene: 2"},
         BadArguments{"TwoSizesToRender", {"render", "--size", "64x64,32x32"}, "--size: 2"}),
     [](const auto& test) { return test.param.name; });
+
+TEST_F(Program, ChecksThePromisesOfAHardCaseWithTheirLine) {
+    const auto hard = [&](const std::string& promise) {
+        return write(
+            "case.toml",
+            "lights = []\nobjects = []\n[camera]\neye = [0, 0, 5]\n[hard]\nfamily = \"f\"\nwhat = "
+            "\"w\"\nsource = \"ours\"\nfails = []\nexact = [\n    { method = \"carmack\" },\n    { " +
+                promise + " },\n]\n");
+    };
+    const std::string file = hard("method = \"nosuch\"");
+    expectRefused(run({"scenes", file}), file + ":12: no such method 'nosuch'");
+    for (const char* promise :
+         {"method = \"carmack\", profile = \"nosuch\"", "method = \"carmack\", silhouette = \"blob\"",
+          "method = \"carmack\", dither = true", "method = \"carmack\", frame = 1"})
+        expectRefused(run({"scenes", hard(promise)}), file + ":12: ");
+    EXPECT_THAT(run({"scenes", hard("method = \"heidmann\"")}).out,
+                HasSubstr("gnomon render " + file + " --method heidmann"));
+}
 
 TEST_F(Program, RefusesAMalformedSceneFileWithItsLine) {
     const std::string file = write("bad.toml", "title = \"x\"\nambient = \n");
@@ -416,6 +439,10 @@ TEST_F(Program, WritesPicturesOfTheRightSize) {
     EXPECT_GT(std::min(black, white), 100);
     // Top left is sky, and rows come from the top.
     EXPECT_EQ(shadows.data.front(), 255);
+    // The causes stand beside the mask, with a legend below.
+    const Image causes = readImage(pathOf("mask-causes.png"));
+    EXPECT_EQ(causes.channels, 3);
+    EXPECT_GT(causes.height, 61);
 
     const Json plan = Json::parse(run({"plan", "boxes", "--size", "97x61", "--format", "json"}).out);
     std::size_t steps = 0;
