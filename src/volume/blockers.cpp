@@ -21,7 +21,19 @@ void eachCap(const Scene& scene, std::span<const LitCaster> lit, Visit visit) {
     }
 }
 
-constexpr double kPixel = 1e-6;  ///< half of the pixel's side, of the distance to the light or of 1
+constexpr double kPixel = 1e-6;  ///< half of the pixel's side, of the view's length
+
+/// How far the view from the eye reaches: to the light, or to the farthest cap before a directional one. The
+/// pixel is a share of it, so that scenes of any scale are seen alike.
+double lengthOf(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
+                const glm::dvec3& eye) {
+    if (light.w != 0) return glm::length(glm::dvec3(light) - eye);
+    double farthest = 0;
+    eachCap(scene, lit, [&](const glm::uvec3&, const std::array<glm::dvec3, 3>& corners) {
+        for (const glm::dvec3& corner : corners) farthest = std::max(farthest, glm::length(corner - eye));
+    });
+    return farthest;
+}
 
 /// Cuts at coordinate @p axis <= limit, or >= where @p sign is -1. An edge is cut in one order.
 std::vector<glm::dvec3> cut(const std::vector<glm::dvec3>& polygon, int axis, double sign, double limit) {
@@ -77,10 +89,9 @@ bool onVolumeFace(const Scene& scene, std::span<const LitCaster> lit, const glm:
 
 std::vector<glm::vec4> eyeBlockers(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                                    const glm::dvec3& eye) {
-    const glm::dvec3 toLight = light.w == 0 ? glm::dvec3(light) : glm::dvec3(light) - eye;
-    const double distance = glm::length(toLight);
+    const double distance = lengthOf(scene, lit, light, eye);
     if (distance == 0) return {};
-    const glm::dvec3 along = toLight / distance;
+    const glm::dvec3 along = glm::normalize(light.w == 0 ? glm::dvec3(light) : glm::dvec3(light) - eye);
     const glm::dvec3 side = std::abs(along.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
     const glm::dvec3 x = glm::normalize(glm::cross(side, along)), y = glm::cross(along, x);
     const double pixel = kPixel * distance;
@@ -88,7 +99,7 @@ std::vector<glm::vec4> eyeBlockers(const Scene& scene, std::span<const LitCaster
     std::vector<glm::vec4> triangles;
     std::vector<glm::dvec3> polygon;
     eachCap(scene, lit, [&](const glm::uvec3&, const std::array<glm::dvec3, 3>& corners) {
-        // Seen along the line, lengths in half pixels; z from 0 at the eye to 1 at the light.
+        // Seen along the line, lengths in half pixels; z from 0 at the eye to 1 at the view's end.
         polygon.clear();
         for (const glm::dvec3& corner : corners) {
             const glm::dvec3 p = corner - eye;

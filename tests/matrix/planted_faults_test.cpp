@@ -549,13 +549,13 @@ std::vector<FalseBelief> falseBeliefs() {
              if (c.piece == Piece::FarCap) c.exact = c.possible = kBehind;
          })},
         {"FarCapsForgotten", kCarmackBeforeLight, inCrossings([](Crossing& c) {
-             if (c.piece == Piece::FarCap) c.exact = c.possible = kAbsent;
+             if (c.piece == Piece::FarCap) c.exact = kAbsent, c.possible = kMaybeAbsent;
          })},
         {"NearCapsForgotten", kNearCapped, inCrossings([](Crossing& c) {
-             if (c.piece == Piece::NearCap) c.exact = c.possible = kAbsent;
+             if (c.piece == Piece::NearCap) c.exact = kAbsent, c.possible = kMaybeAbsent;
          })},
         {"LightCapsForgotten", kCarmack, inCrossings([](Crossing& c) {
-             if (c.piece == Piece::LightCap) c.exact = c.possible = kAbsent;
+             if (c.piece == Piece::LightCap) c.exact = kAbsent, c.possible = kMaybeAbsent;
          })},
         {"VolumesExchanged", kScreenInBooks,
          [](Belief& belief, const FaultRig&) { std::swap(belief.planVolumes[0], belief.planVolumes[1]); }},
