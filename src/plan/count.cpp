@@ -1,6 +1,15 @@
+#include <algorithm>
+
 #include "plan/plan.h"
 
 namespace gnomon {
+
+WindowRect around(const WindowRect& a, const WindowRect& b) {
+    if (a.empty()) return b;
+    if (b.empty()) return a;
+    const int x = std::min(a.x, b.x), y = std::min(a.y, b.y);
+    return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
+}
 
 PassCounts countPasses(const Plan& plan) {
     PassCounts counts;

@@ -64,6 +64,31 @@ enum class MaskTexture {
     Alpha,      ///< alpha mask
 };
 
+/// A rectangle of pixels of a pass's target, from the lower left corner, as OpenGL counts them.
+struct WindowRect {
+    int x = 0, y = 0, width = 0, height = 0;
+    bool empty() const { return width <= 0 || height <= 0; }
+    bool holds(int px, int py) const { return px >= x && px < x + width && py >= y && py < y + height; }
+    bool operator==(const WindowRect&) const = default;
+};
+
+/// The smallest rectangle that holds both; an empty one holds nothing.
+WindowRect around(const WindowRect& a, const WindowRect& b);
+
+/// Where a light's volumes can matter: pixels of the mask.
+struct MaskWindow {
+    WindowRect all{};                   ///< around() those of the volumes
+    std::vector<WindowRect> volumes{};  ///< of each of the light's volumes that the plan draws
+    bool operator==(const MaskWindow&) const = default;
+};
+
+/// The part of its target that a pass may change: the rest is kept by a scissor.
+enum class Extent {
+    Whole,    ///< all; no scissor
+    Shadows,  ///< MaskWindow::all of the pass's light
+    Volumes,  ///< MaskWindow::volumes of each volume that the pass draws
+};
+
 /// The state of the blender in one pass; off by default.
 struct Blend {
     bool enabled = false;
@@ -144,6 +169,7 @@ struct Pass {
     bool nearest = false;       ///< Copy: the texture is not filtered when it is sampled
     bool frameTexture = false;  ///< Copy, Rectangle: the frame so far instead of the mask
     Target target = Target::Window;
+    Extent extent = Extent::Whole;
     int mapFace = 0;  ///< Target::DepthMap: 0 for a directional light, 0 to 5 for a point light
     Program program = Program::None;
     int frontCount = 1;  ///< CountFaces: what a front face adds; a back face subtracts it
@@ -159,6 +185,9 @@ struct MaskTap {
     MaskPlace place = MaskPlace::None;
     Stencil test{};         ///< Stencil: the test that a shadow passes
     AlphaTest alphaTest{};  ///< Texture of counts: the same; off where the threshold tells
+    /// What stands for pixels outside of the light's MaskWindow::all, where the plan draws no mask: a value
+    /// as it is read, of a lit pixel. -1: the mask is drawn everywhere.
+    int outside = -1;
 };
 
 /// The list of passes that draw one frame with one method, and what is needed to judge it. A value: nothing
@@ -172,6 +201,9 @@ struct Plan {
     int mapSize = 0;                                    ///< texels per side of a depth map; 0 without one
     float mapBias = 0;                                  ///< of its depths, 0..1
     Clip clip = Clip::Frustum;                          ///< of Drawn::Silhouettes
+
+    /// By light; empty where no pass is bounded.
+    std::vector<MaskWindow> windows{};
 
     std::vector<MaskTap> masks{};  ///< one per light, in the order in which they stand
     /// A mask value below this is a shadow, in 0..1: half way between the values of a finished mask.

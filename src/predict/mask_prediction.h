@@ -12,14 +12,17 @@
 
 namespace gnomon {
 
+constexpr int kLeftOut = -2;
+
 /// What a plan's mask of one light is predicted from.
 struct MaskInputs {
     const Plan& plan;
     int light = 0;
     const Crossings& crossings;  ///< of a view as large as the plan's mask
     MaskChannel arithmetic{};
-    /// By volume of the predictor: its index among the plan's volumes, -1 if no pass draws it. Empty: plans
-    /// that draw all volumes at once don't ask.
+    /// By volume of the predictor: its index among the plan's volumes; -1 if no pass draws it, since it is
+    /// outside of the window; kLeftOut if the plan left it out on purpose, and it counts as if it were not
+    /// there. Empty: plans that draw all volumes at once don't ask.
     std::span<const int> planVolumes{};
     int holdingEye = 0;      ///< volumes that hold the eye, where the plan counts them by itself
     bool eyeOnFace = false;  ///< then that count is not one for all pixels, and nothing is predicted

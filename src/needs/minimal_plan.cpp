@@ -1,0 +1,1 @@
+#include "needs/minimal_plan.h"
