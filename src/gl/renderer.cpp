@@ -485,7 +485,9 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     const GlTable gl = counter.count(restrictTo(profile, surface.format(), driver));
     PassRunner runner(gl, plan, surfaces, lights, Programs(gl, surface.programs(), profile.id + "/"));
     Rendered out;
-    out.masks.resize(std::max<std::size_t>(plan.masks.size(), 1));
+    std::size_t lightCount = 1;
+    for (const MaskTap& mask : plan.masks) lightCount = std::max(lightCount, std::size_t(mask.light) + 1);
+    out.masks.resize(lightCount);
     out.values.resize(out.masks.size());
     auto tap = plan.masks.begin();
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {

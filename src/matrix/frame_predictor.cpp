@@ -99,12 +99,7 @@ struct FramePredictor::Impl {
     }
 
     static MaskChannel arithmeticOf(const RenderedMask& mask) {
-        const BufferFormat& f = mask.format;
-        return {.openGl = mask.chip.fidelity == Fidelity::Gl,
-                .unit = mask.chip.unit,
-                .dither = mask.chip.undithered,
-                .format = {"", f.red, f.green, f.blue, f.alpha},
-                .channel = mask.axes.store == Store::Alpha ? 3 : 0};
+        return maskChannel(mask.format, mask.chip, mask.axes);
     }
 
     /// The pixels that hold what @p prediction does not allow; counts them.
@@ -149,7 +144,7 @@ struct FramePredictor::Impl {
 
         const LitKey key{mask.light, axes.silhouette, axes.capFaces};
         const auto found = crossingsOf(key, axes.offset, axes.maskDivisor, mask);
-        std::vector<int> planVolumes(volumesOf(*litOf(key)).size(), -1);
+        std::vector<int> planVolumes(volumesOf(*litOf(key)).size(), mask.leavesOut ? kLeftOut : -1);
         for (std::size_t v = 0; v < mask.ordinals.size(); ++v) planVolumes[mask.ordinals[v]] = int(v);
         const Eye& eye = eyeOf(key);
         const MaskInputs inputs{.plan = mask.plan,
@@ -183,6 +178,14 @@ struct FramePredictor::Impl {
         return out;
     }
 };
+
+MaskChannel maskChannel(const BufferFormat& format, const ChipArithmetic& chip, const Axes& axes) {
+    return {.openGl = chip.fidelity == Fidelity::Gl,
+            .unit = chip.unit,
+            .dither = chip.undithered,
+            .format = {"", format.red, format.green, format.blue, format.alpha},
+            .channel = axes.store == Store::Alpha ? 3 : 0};
+}
 
 FramePredictor::FramePredictor(const Scene& scene) : m_impl(std::make_unique<Impl>(scene)) {}
 FramePredictor::~FramePredictor() = default;

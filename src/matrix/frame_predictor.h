@@ -28,7 +28,11 @@ struct RenderedMask {
     /// The drawn volumes' places among all; FrameVolumes::ordinals. Empty where the plan draws none by
     /// number.
     std::span<const std::uint32_t> ordinals{};
+    bool leavesOut = false;  ///< the others that are in the window were left out on purpose
 };
+
+/// The arithmetic of the buffer that holds the masks of @p axes.
+MaskChannel maskChannel(const BufferFormat& format, const ChipArithmetic& chip, const Axes& axes);
 
 /// What became of a mask.
 struct Explained {

@@ -9,6 +9,8 @@
 #include "gl/capability.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
+#include "matrix/needs_finder.h"
+#include "matrix/result_key.h"
 #include "method/capacity.h"
 #include "volume/blockers.h"
 #include "volume/nesting.h"
@@ -55,39 +57,6 @@ Image averageOf(const std::vector<Image>& pictures) {
     return out;
 }
 
-/// What the frame's volumes are cut from and how; everything about them but the light.
-struct VolumeKey {
-    Silhouette silhouette = Silhouette::Winding;
-    CapFaces capFaces = CapFaces::Lit;
-    Parts parts{};
-    CutStyle style{};
-    friend auto operator<=>(const VolumeKey&, const VolumeKey&) = default;
-};
-
-/// All that a result depends on besides the frame: the buffers, the passes with their states, and how volumes
-/// are built.
-std::string resultKey(const BufferFormat& f, const ChipArithmetic& chip, const Plan& plan, const Axes& axes,
-                      const std::vector<VolumeKey>& volumes) {
-    std::string key =
-        fmt::format("{}.{}.{}.{}.{}.{} {}x{} {}x{} {}x{} {} {} {} {} {}", f.red, f.green, f.blue, f.alpha,
-                    f.depth, f.stencil, plan.maskWidth, plan.maskHeight, plan.textureWidth,
-                    plan.textureHeight, plan.frameTextureWidth, plan.frameTextureHeight, plan.threshold,
-                    plan.shadowShare, plan.mapSize, plan.mapBias, name(plan.clip));
-    key += fmt::format(" {} {} {} {}", name(chip.fidelity), name(chip.unit), name(chip.undithered),
-                       name(chip.depth));
-    for (const VolumeKey& v : volumes) {
-        key += fmt::format(" {} {} {} {} {} ", name(v.silhouette), name(v.capFaces), name(v.style.clip),
-                           v.style.flatten, v.style.offset);
-        for (int part = 0; part < kParts; ++part) key += v.parts.has(Part(part)) ? '1' : '0';
-    }
-    // What decides of causes and of what is a tie.
-    key += fmt::format(" {} {} {}", name(axes.arithmetic), name(axes.store), axes.levels);
-    for (const Pass& pass : plan.passes)
-        key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading),
-                           pass.light, int(pass.drawn), pass.stencilValue);
-    return key;
-}
-
 constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
 
 /// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
@@ -101,11 +70,22 @@ auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
 
 }  // namespace
 
+/// How a cell is drawn.
+struct Drawing {
+    Axes axes{};  ///< by which its passes are made
+    Plan plan{};
+    bool isFull = true;                                 ///< all volumes in the window are drawn
+    std::vector<std::vector<std::uint32_t>> volumes{};  ///< else these, by light
+    std::vector<EffectNote> notes{};
+};
+
 struct Lab::Impl {
     explicit Impl(Scene s) : scene(std::move(s)) {}
 
     Scene scene;
     FidelityChoice fidelity{};
+    Effects effects = Effects::all();
+    std::optional<NeedsFinder> needs{};
     std::optional<SilhouetteFinder> finder{};
     std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
     std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
@@ -144,6 +124,7 @@ struct Lab::Impl {
         unshadowed.clear();
         eyeInside.clear();
         if (predictor) predictor->select(view());
+        if (needs) needs->select(view());
         nestings.clear();
     }
 
@@ -192,15 +173,24 @@ struct Lab::Impl {
         });
     }
 
-    /// What light @p index adds to a frame that is drawn by @p plan.
-    const LightFrame& lightFrame(const Profile& profile, const Axes& axes, const Plan& plan, int index) {
+    /// The volumes of light @p index that are drawn.
+    std::shared_ptr<const FrameVolumes> drawnVolumes(const Profile& profile, const Drawing& drawing,
+                                                     int index) {
+        const auto all = volumesOf(index, volumeKey(profile, drawing.axes, index));
+        if (drawing.isFull) return all;
+        return std::make_shared<const FrameVolumes>(only(*all, drawing.volumes[std::size_t(index)]));
+    }
+
+    /// What light @p index adds to a frame.
+    const LightFrame& lightFrame(const Profile& profile, const Drawing& drawing, int index) {
         if (lights() == 0) return current = {};
+        const auto& [axes, plan, isFull, kept, notes] = drawing;
         const auto draws = [&](auto predicate) {
             return std::any_of(plan.passes.begin(), plan.passes.end(), predicate);
         };
         current = {.colours = coloursOf(index)};
         if (draws([](const Pass& p) { return p.kind == PassKind::Volume && p.drawn == Drawn::Volumes; }))
-            current.volumes = volumesOf(index, volumeKey(profile, axes, index));
+            current.volumes = drawnVolumes(profile, drawing, index);
         if (draws([](const Pass& p) { return p.drawn == Drawn::Blockers; }))
             current.blockers = eyeBlockers(scene, litOf(index, axes.silhouette, axes.capFaces),
                                            light(index).position, view().eye);
@@ -237,14 +227,15 @@ struct Lab::Impl {
         auto [at, isNew] = unshadowed.try_emplace({bufferFormatOf(profile), arithmeticOf(profile, fidelity)});
         if (isNew) {
             const Axes none{.store = Store::None};
-            const Plan plan = planOf(profile, none);
+            const Drawing drawing{.axes = none, .plan = planOf(profile, none)};
             const auto frames = [&](int index) -> const LightFrame& {
-                return lightFrame(profile, none, plan, index);
+                return lightFrame(profile, drawing, index);
             };
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
-                at->second =
-                    render(contextOf(profile, plan, fidelity), profile, plan, surfacesOf(), frames).cpuMs;
+                at->second = render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan,
+                                    surfacesOf(), frames)
+                                 .cpuMs;
         }
         return at->second;
     }
@@ -266,10 +257,64 @@ struct Lab::Impl {
         return shape;
     }
 
-    Plan planOf(const Profile& profile, const Axes& axes) {
+    FrameShape frameShape(const Profile& profile, const Axes& axes) {
         FrameShape frame{.width = key.width, .height = key.height};
         for (int i = 0; i < lights(); ++i) frame.lights.push_back(shapeOf(profile, axes, i));
-        return planFrame(axes, frame, profile);
+        return frame;
+    }
+
+    Plan planOf(const Profile& profile, const Axes& axes) {
+        return planFrame(axes, frameShape(profile, axes), profile);
+    }
+
+    /// What the frame calls for of what @p axes draw.
+    FrameNeeds needsOf(const Profile& profile, const Axes& axes) {
+        if (!needs) {
+            needs.emplace(scene);
+            needs->select(view());
+        }
+        const bool hasVolumes =
+            axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
+        const auto brightestOf = [](const std::vector<VertexColour>& colours) {
+            int most = 0;
+            for (const VertexColour& c : colours) most = std::max({most, int(c.r), int(c.g), int(c.b)});
+            return most;
+        };
+        FrameNeeds all;
+        for (int i = 0; i < lights(); ++i) {
+            LightNeeds one;
+            if (hasVolumes) {
+                const Nesting full = nestingOf(axes, i);
+                one = needs->volumes({.light = i,
+                                      .axes = axes,
+                                      .depthBits = bufferFormatOf(profile).depth,
+                                      .depth = arithmeticOf(profile, fidelity).depth,
+                                      .lit = litOf(i, axes.silhouette, axes.capFaces),
+                                      .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
+                                      .full = full});
+            }
+            one.brightest = brightestOf(coloursOf(i)->diffuse);
+            all.lights.push_back(std::move(one));
+        }
+        all.brightestAmbient = brightestOf(surfacesOf().ambient);
+        all.nearestSurface = needs->nearestSurface();
+        return all;
+    }
+
+    Drawing drawingOf(const Profile& profile, const Axes& axes) {
+        if (effects == Effects::all()) return {.axes = axes, .plan = planOf(profile, axes)};
+        MinimalPlan least = minimalOf(profile, axes);
+        return {.axes = least.axes,
+                .plan = std::move(least.plan),
+                .isFull = least.isFull,
+                .volumes = std::move(least.volumes),
+                .notes = std::move(least.notes)};
+    }
+
+    MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
+        return gnomon::minimalPlan(
+            axes, frameShape(profile, axes), profile, needsOf(profile, axes),
+            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes), effects);
     }
 
     std::vector<VolumeKey> volumeKeys(const Profile& profile, const Axes& axes) {
@@ -301,43 +346,51 @@ struct Lab::Impl {
         return all;
     }
 
+    /// How deep the volumes of light @p index may nest in the mask.
+    Nesting nestingOf(const Axes& axes, int index) {
+        View mask = view();
+        mask.width = (mask.width + axes.maskDivisor - 1) / axes.maskDivisor;
+        mask.height = (mask.height + axes.maskDivisor - 1) / axes.maskDivisor;
+        const CountedFrom from = countedFrom(axes);
+        // All that are counted from one end are counted alike.
+        const VolumeKey which{axes.silhouette,
+                              axes.capFaces,
+                              partsOf(from == CountedFrom::Eye ? Count::ZpassCap : Count::Zfail),
+                              {.offset = axes.offset}};
+        auto [at, isNew] = nestings.try_emplace({index, which, mask.width, mask.height});
+        if (isNew)
+            at->second = nesting(scene, litOf(index, axes.silhouette, axes.capFaces), light(index).position,
+                                 mask, from, axes.offset);
+        return at->second;
+    }
+
     /// How deep volumes may nest in the mask, and whether that is too deep.
     void addNesting(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan) {
         if (axes.store == Store::None || axes.store == Store::DepthMap) return;
-        View mask = view();
-        mask.width = plan.maskWidth, mask.height = plan.maskHeight;
-        const CountedFrom from = countedFrom(axes);
-        for (int i = 0; i < lights(); ++i) {
-            // All that are counted from one end are counted alike.
-            const VolumeKey which{axes.silhouette,
-                                  axes.capFaces,
-                                  partsOf(from == CountedFrom::Eye ? Count::ZpassCap : Count::Zfail),
-                                  {.offset = axes.offset}};
-            auto [at, isNew] = nestings.try_emplace({i, which, mask.width, mask.height});
-            if (isNew)
-                at->second = nesting(scene, litOf(i, axes.silhouette, axes.capFaces), light(i).position, mask,
-                                     from, axes.offset);
-            cell.nesting = deepest(cell.nesting, at->second);
-        }
+        for (int i = 0; i < lights(); ++i) cell.nesting = deepest(cell.nesting, nestingOf(axes, i));
         const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
         if (const auto warning = nestingWarning(capacity(axes, profile, doubled), cell.nesting))
             cell.warnings.push_back(*warning);
     }
 
-    void draw(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan, Pictures* pictures,
+    void draw(Cell& cell, const Profile& profile, const Drawing& drawing, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
+        const Plan& plan = drawing.plan;
         cell.unshadowedMs = unshadowedMs(profile);
         Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
-            if (index != last) lightFrame(profile, axes, plan, index);
+            if (index != last) lightFrame(profile, drawing, index);
             last = index;
             return current;
         };
         Rendered rendered = render(surface, profile, plan, surfacesOf(), frames, each);
-        rendered.masks.resize(std::size_t(lights()), rendered.masks.front());
-        rendered.values.resize(std::size_t(lights()), rendered.values.front());
+        // Without masks nothing is in shadow; a light that was left out has none.
+        const bool isMasked = !plan.masks.empty();
+        rendered.masks.resize(std::size_t(lights()), isMasked ? std::vector<bool>{} : rendered.masks.front());
+        rendered.values.resize(std::size_t(lights()),
+                               isMasked ? std::vector<std::uint16_t>{} : rendered.values.front());
 
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
@@ -345,7 +398,7 @@ struct Lab::Impl {
         cell.vertices = rendered.counts.vertices;
         cell.cpuMs = rendered.cpuMs;
         const Judgement judgement =
-            lights() == 0 ? unmasked(pictures) : judged(cell, profile, axes, plan, rendered, pictures);
+            lights() == 0 ? unmasked(pictures) : judged(cell, profile, drawing, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
         cell.wrongEdge = judgement.edge, cell.wrongInterior = judgement.interior;
         cell.verdict = judgement.interior ? Verdict::Wrong : judgement.edge ? Verdict::Edge : Verdict::Exact;
@@ -366,8 +419,9 @@ struct Lab::Impl {
     }
 
     /// Holds each light's mask against its truth; adds causes, and the pictures of masks and truth.
-    Judgement judged(Cell& cell, const Profile& profile, const Axes& axes, const Plan& plan,
-                     const Rendered& rendered, Pictures* pictures) {
+    Judgement judged(Cell& cell, const Profile& profile, const Drawing& drawing, const Rendered& rendered,
+                     Pictures* pictures) {
+        const Axes& axes = drawing.axes;
         const BufferFormat format = bufferFormatOf(profile);
         const ChipArithmetic chip = arithmeticOf(profile, fidelity);
         const bool clamps = axes.arithmetic != Arithmetic::Count;
@@ -375,6 +429,7 @@ struct Lab::Impl {
         std::vector<Image> masks, truthPictures;
         std::vector<Cause> causes(std::size_t(key.width) * std::size_t(key.height));
         for (int i = 0; i < lights(); ++i) {
+            if (rendered.masks[std::size_t(i)].empty()) continue;  // of a light that was left out
             const auto truth = truthOf(i, format.depth, chip.depth, axes.silhouette);
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
             judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
@@ -382,7 +437,7 @@ struct Lab::Impl {
                 masks.push_back(shadowPicture(*truth, mask));
                 truthPictures.push_back(truthPicture(*truth));
             }
-            const Explained one = explained(profile, axes, plan, format, chip, i, *truth, judgements.back(),
+            const Explained one = explained(profile, drawing, format, chip, i, *truth, judgements.back(),
                                             rendered.values[std::size_t(i)]);
             cell.unpredicted += one.unpredicted;
             // Of several lights that are wrong in a pixel the first explains it.
@@ -397,18 +452,19 @@ struct Lab::Impl {
     }
 
     /// One light's mask held against its prediction.
-    Explained explained(const Profile& profile, const Axes& axes, const Plan& plan,
-                        const BufferFormat& format, const ChipArithmetic& chip, int index, const Truth& truth,
-                        const Judgement& judgement, std::span<const std::uint16_t> values) {
+    Explained explained(const Profile& profile, const Drawing& drawing, const BufferFormat& format,
+                        const ChipArithmetic& chip, int index, const Truth& truth, const Judgement& judgement,
+                        std::span<const std::uint16_t> values) {
+        const Axes& axes = drawing.axes;
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto drawn = hasVolumes ? volumesOf(index, volumeKey(profile, axes, index))
-                                      : std::make_shared<const FrameVolumes>();
+        const auto drawn =
+            hasVolumes ? drawnVolumes(profile, drawing, index) : std::make_shared<const FrameVolumes>();
         if (!predictor) {
             predictor.emplace(scene);
             predictor->select(view());
         }
-        return predictor->explain({.plan = plan,
+        return predictor->explain({.plan = drawing.plan,
                                    .axes = axes,
                                    .format = format,
                                    .chip = chip,
@@ -416,7 +472,8 @@ struct Lab::Impl {
                                    .truth = truth,
                                    .judgement = judgement,
                                    .values = values,
-                                   .ordinals = drawn->ordinals});
+                                   .ordinals = drawn->ordinals,
+                                   .leavesOut = !drawing.isFull});
     }
 };
 
@@ -431,9 +488,18 @@ void Lab::use(const FidelityChoice& choice) {
     m_impl->fidelity = choice;
 }
 
+void Lab::simulate(const Effects& effects) {
+    m_impl->effects = effects;
+}
+
 Plan Lab::plan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
     m_impl->select({width, height, frame});
     return m_impl->planOf(profile, normalised(axes));
+}
+
+MinimalPlan Lab::minimalPlan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
+    m_impl->select({width, height, frame});
+    return m_impl->minimalOf(profile, normalised(axes));
 }
 
 std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {
@@ -473,8 +539,10 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             return cell;
         }
         m_impl->addNesting(cell, profile, axes, plan);
-        const std::string key = resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity),
-                                          plan, axes, m_impl->volumeKeys(profile, axes));
+        const Drawing drawing = m_impl->drawingOf(profile, axes);
+        const std::string key =
+            resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity), drawing.plan,
+                      drawing.axes, m_impl->volumeKeys(profile, drawing.axes), drawing.volumes);
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;
@@ -484,7 +552,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             same.nesting = cell.nesting, same.warnings = cell.warnings;
             return same;
         }
-        m_impl->draw(cell, profile, axes, plan, pictures, afterPass);
+        m_impl->draw(cell, profile, drawing, pictures, afterPass);
         m_impl->results[key] = cell;
     } catch (const CapabilityViolation& violation) {
         cell.verdict = Verdict::Failed;

@@ -10,6 +10,7 @@
 #include "gl/renderer.h"
 #include "matrix/cell.h"
 #include "matrix/judge.h"
+#include "needs/minimal_plan.h"
 #include "predict/causes.h"
 #include "scene/scene.h"
 #include "truth/truth.h"
@@ -40,6 +41,9 @@ class Lab {
     /// Whose arithmetic cells are drawn with from now on; at first OpenGL's.
     void use(const FidelityChoice& choice);
 
+    /// What cells are drawn with from now on, besides what their frames call for; at first with everything.
+    void simulate(const Effects& effects);
+
     /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
     /// @param afterPass  called with the surface after each pass
     /// A capability violation or OpenGL error makes the cell failed; nothing is thrown for it.
@@ -47,8 +51,11 @@ class Lab {
              Pictures* pictures = nullptr,
              const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
 
-    /// The plan of a cell.
+    /// The full plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
+
+    /// The plan of a cell with what its frame calls for, and why.
+    MinimalPlan minimalPlan(const Profile& profile, const Axes& axes, int width, int height, int frame);
 
     /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
     /// scene.

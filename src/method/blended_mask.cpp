@@ -22,7 +22,7 @@ void PlanBuilder::countByInversion(int light, ColourWrite write) {
         p.logicInvert = m_profile.logicOps;
         if (!p.logicInvert) p.blend = blending(OneMinusDstColor, Zero);
     };
-    const Parts open = Part::Sides | Part::FarCap;
+    const Parts open = this->open(light);
     if (axes.count == Count::Zfail) {
         pass(open, Compare::Greater, " behind the surface");
         pass(Part::LightCap, Compare::Gequal, " behind the surface");
@@ -47,7 +47,7 @@ void PlanBuilder::countBySteps(int light, ColourWrite write) {
         p.colour = countColour(up);
         p.write = write;
     };
-    const Parts open = Part::Sides | Part::FarCap, cap = Part::LightCap;
+    const Parts open = this->open(light), cap = Part::LightCap;
     if (axes.count != Count::Zfail) {
         const Parts parts = axes.count == Count::ZpassCap ? open | Part::NearCap : open;
         for (const bool up : {true, false})
@@ -87,11 +87,11 @@ glm::vec4 PlanBuilder::countColour(bool up) const {
 /// Roettger et al. 2002, section 4.2: front faces of a volume, then its back faces, volume by volume.
 void PlanBuilder::countByBlending(int light, ColourWrite write) {
     const bool halves = axes.arithmetic == Arithmetic::Halve;
-    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const int volumes = shape(light).volumes;
     if (volumes == 0) return;
     if (axes.arithmetic == Arithmetic::Parity) return countByInversion(light, write);
     if (axes.arithmetic == Arithmetic::Count) return countBySteps(light, write);
-    const Parts open = Part::Sides | Part::FarCap;
+    const Parts open = this->open(light);
     const Parts parts = axes.count == Count::ZpassCap ? open | Part::NearCap : open;
     for (int i = 0; i < volumes; ++i) {
         if (axes.count == Count::Zfail) {
@@ -120,7 +120,7 @@ void PlanBuilder::countZfailByBlending(int light, int index, ColourWrite write) 
         p.colour = glm::vec4(doubles ? 1.0f : kHalf);
         p.write = write;
     };
-    const Parts open = Part::Sides | Part::FarCap;
+    const Parts open = this->open(light);
     for (const Faces faces : {Faces::Back, Faces::Front}) {
         const bool enters = faces == Faces::Back;
         for (const bool cap : {false, true}) {
@@ -163,7 +163,9 @@ void PlanBuilder::normalise(int light, ColourWrite write) {
     if (axes.arithmetic == Arithmetic::Count) m_plan.smallestMaskBits = 2;
     if (shadowAlpha().enabled) return;
     const auto rect = [&](const std::string& label, const Blend& how, float value) {
+        if (!canShadow(light)) return;  // finished as it starts
         rectangle(label, how, value, write).target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
+        boundLast(light);
     };
     const bool attenuated = axes.shade == Shade::Attenuated;
     if (axes.arithmetic == Arithmetic::Count) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "method/count_step.h"
 
@@ -49,9 +50,42 @@ void PlanBuilder::clear(const Clearing& what) {
     pass.clearsDepth = what.depth;
     pass.clearsStencil = what.stencil;
     if (what.stencil && axes.start == Start::Middle) pass.stencilValue = shadowTest().reference;
-    if (what.stencil && axes.start == Start::Bias)
-        pass.stencilValue = m_frame.lights[std::size_t(what.light)].holdingEye;
+    if (what.stencil && axes.start == Start::Bias) pass.stencilValue = shape(what.light).holdingEye;
     pass.write = what.write;
+}
+
+void PlanBuilder::startMask(Clearing what, ColourWrite channels) {
+    const auto& window = shape(what.light).window;
+    const auto& finished = shape(what.light).finished;
+    if (!window || !finished) return clear(what);
+    const float start = what.value;
+    what.value = *finished;
+    if (what.value == start || window->all.empty()) return clear(what);
+    clear(what);
+    m_plan.passes.back().label += ", as a lit pixel ends";
+    clear({.label = "mask starts where volumes matter",
+           .write = channels,
+           .value = start,
+           .light = what.light});
+    boundLast(what.light);
+}
+
+void PlanBuilder::boundLast(int light) {
+    if (!shape(light).window) return;
+    m_plan.passes.back().light = light;
+    m_plan.passes.back().extent = Extent::Shadows;
+}
+
+bool PlanBuilder::canShadow(int light) const {
+    return !shape(light).window || !shape(light).window->all.empty();
+}
+
+bool PlanBuilder::isNeutralOutside(int light) const {
+    return shape(light).window && shape(light).finishedIsNeutral;
+}
+
+Parts PlanBuilder::open(int light) const {
+    return shape(light).withoutFarCaps ? Parts(Part::Sides) : Part::Sides | Part::FarCap;
 }
 
 void PlanBuilder::sceneDepth() {
@@ -106,12 +140,17 @@ Pass& PlanBuilder::volume(int light, int index, Faces faces, Parts parts, Compar
     pass.depthTest = true;
     pass.depthFunction = function;
     pass.target = axes.maskDivisor != 1 ? Target::Mask : Target::Window;
+    if (shape(light).window) pass.extent = Extent::Volumes;
     return pass;
 }
 
 void PlanBuilder::tap(int light, MaskPlace place) {
     m_plan.masks.push_back(
         {m_plan.passes.size(), light, place, place == MaskPlace::Stencil ? shadowTest() : Stencil{}});
+}
+
+void PlanBuilder::finishOutside(int light) {
+    m_plan.masks.back().outside = int(std::lround(255 * shape(light).finished.value_or(1)));
 }
 
 // LEQUAL lets the far cap pass where depth was cleared, so that the background counts out of every volume. A
@@ -126,9 +165,9 @@ void PlanBuilder::countInStencil(int light) {
     const auto side = [&](StencilOp op) {
         return zfail ? StencilSide{.onDepthFail = op} : StencilSide{.onPass = op};
     };
-    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const int volumes = shape(light).volumes;
     const Parts parts = partsOf(axes.count);
-    const Parts open = Part::Sides | Part::FarCap;
+    const Parts open = this->open(light);
 
     if (axes.count == Count::PlusPlusZp) {
         Pass& blockers = add(PassKind::Volume, "casters from the light onto the eye, one pixel: count +1");
@@ -191,7 +230,7 @@ void PlanBuilder::countInStencil(int light) {
 /// Each face inverts the lowest bit. Overlapping volumes would cancel, so each is counted by itself, and
 /// what it shadows goes to the next bit.
 void PlanBuilder::countParity(int light) {
-    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const int volumes = shape(light).volumes;
     const bool zfail = axes.count == Count::Zfail;
     const bool folds = volumes > 1;
     for (int i = 0; i < volumes; ++i) {
@@ -202,7 +241,7 @@ void PlanBuilder::countParity(int light) {
                                            : StencilSide{.onPass = StencilOp::Invert};
             p.stencil = {.enabled = true, .writeMask = 1, .front = side, .back = side};
         };
-        const Parts open = Part::Sides | Part::FarCap;
+        const Parts open = this->open(light);
         pass(axes.count == Count::ZpassCap ? open | Part::NearCap : open, Compare::Lequal);
         if (zfail) pass(Part::LightCap, Compare::Less);
         if (!folds) continue;
@@ -215,8 +254,10 @@ void PlanBuilder::countParity(int light) {
                         .writeMask = 2,
                         .front = replace,
                         .back = replace};
+        boundLast(light);
         clear({.label = "parity starts anew", .write = kWriteNothing, .stencil = true});
         m_plan.passes.back().stencil.writeMask = 1;
+        boundLast(light);
     }
     tap(light, MaskPlace::Stencil);
 }
@@ -229,7 +270,7 @@ Stencil PlanBuilder::shadowTest() const {
 }
 
 void PlanBuilder::countInCounter(int light) {
-    const int volumes = m_frame.lights[std::size_t(light)].volumes;
+    const int volumes = shape(light).volumes;
     const bool zfail = axes.count == Count::Zfail;
     const auto pass = [&](Parts parts, Compare function, const std::string& what) -> Pass& {
         Pass& p = volume(light, kAllVolumes, Faces::Both, parts, function, what);
@@ -237,7 +278,7 @@ void PlanBuilder::countInCounter(int light) {
         p.frontCount = zfail ? -1 : 1;
         return p;
     };
-    const Parts open = Part::Sides | Part::FarCap;
+    const Parts open = this->open(light);
     if (volumes > 0 && zfail) {
         pass(open, Compare::Greater, "count -1 and +1 behind the surface");
         pass(Part::LightCap, Compare::Gequal, "count -1 and +1 behind the surface");
@@ -300,6 +341,9 @@ void PlanBuilder::maskFromDepthMap(int light, bool isFirst) {
 }
 
 Plan PlanBuilder::take() {
+    const auto& lights = m_frame.lights;
+    if (std::any_of(lights.begin(), lights.end(), [](const LightShape& l) { return l.window.has_value(); }))
+        for (const LightShape& light : lights) m_plan.windows.push_back(light.window.value_or(MaskWindow{}));
     return std::move(m_plan);
 }
 

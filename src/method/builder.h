@@ -31,6 +31,9 @@ class PlanBuilder {
         int light = 0;  ///< whose count starts
     };
     void clear(const Clearing& what);
+    /// The same where a mask starts in @p channels, which may be some of those that are written: in a window
+    /// of its own the mask starts there, and is finished elsewhere.
+    void startMask(Clearing what, ColourWrite channels);
 
     void sceneDepth();
     void sceneFirst(Shading shading, int light = 0);
@@ -40,6 +43,14 @@ class PlanBuilder {
 
     // The mask of a light, by store. Each ends with a tap.
     void countInStencil(int light);
+    /// Bounds the pass that was added last to where the light's volumes matter.
+    void boundLast(int light);
+    /// Whether any volume of the light may matter.
+    bool canShadow(int light) const;
+    /// Whether what the light's mask does not shadow can be drawn without it.
+    bool isNeutralOutside(int light) const;
+    bool hasAmbient() const { return !m_frame.withoutAmbient; }
+    bool isLeftOut(int light) const { return m_frame.lights[std::size_t(light)].isLeftOut; }
     void countInCounter(int light);
     void countByBlending(int light, ColourWrite write);
     void drawDepthMap(int light);
@@ -48,6 +59,11 @@ class PlanBuilder {
     /// Roettger et al. 2002, sections 4.3 and 4.4: the mask's values become one for a lit pixel and one for a
     /// shadow. Counts that an alpha test tells apart are left as they are.
     void normalise(int light, ColourWrite write);
+
+    /// The mask of @p light is finished.
+    void tap(int light, MaskPlace place);
+    /// The mask that was tapped last is drawn nowhere outside of the light's window.
+    void finishOutside(int light);
 
     /// The stencil test that shadows pass.
     Stencil shadowTest() const;
@@ -64,6 +80,9 @@ class PlanBuilder {
 
   private:
     Pass& add(PassKind kind, std::string label);
+    const LightShape& shape(int light) const { return m_frame.lights[std::size_t(light)]; }
+    /// The faces between the near plane and infinity.
+    Parts open(int light) const;
     Pass& volume(int light, int index, Faces faces, Parts parts, Compare function, const std::string& what);
     void countParity(int light);
     void countByInversion(int light, ColourWrite write);
@@ -82,7 +101,6 @@ class PlanBuilder {
     /// The alpha test that a shadow in a texture of counts passes; off where the mask is normalised instead.
     AlphaTest shadowAlpha() const;
 
-    void tap(int light, MaskPlace place);
     int textureSide(int texels) const;
 
     const FrameShape& m_frame;

@@ -80,12 +80,25 @@ struct LightShape {
     int volumes = 0;     ///< to draw
     int holdingEye = 0;  ///< that hold the eye, with their weights
     bool directional = false;
+
+    // Of minimal plans
+    bool isLeftOut = false;  ///< several lights: this one adds nothing to what is seen
+    bool withoutFarCaps = false;
+    /// Where its volumes matter, one rectangle for each: mask passes are bounded to them. Volumes that count
+    /// up and down in turn (Double, Halve, Parity) are drawn one by one as ever.
+    std::optional<MaskWindow> window{};
+    /// The finished mask of a lit pixel, 0..1: the mask starts so outside of the window above, and no pass
+    /// needs to make it so. Nothing: it starts and is finished as within.
+    std::optional<float> finished{};
+    /// To blend with that changes nothing, so that the scene is drawn unmasked there.
+    bool finishedIsNeutral = false;
 };
 
 /// What a plan must know of the frame.
 struct FrameShape {
     int width = 0, height = 0;         ///< window, pixels
     std::vector<LightShape> lights{};  ///< may be none
+    bool withoutAmbient = false;       ///< the ambient part is black, and not added
 };
 
 /// The parts of volumes that a count draws.

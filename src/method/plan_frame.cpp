@@ -45,28 +45,36 @@ class OneLight {
         const bool attenuated = b.axes.shade == Shade::Attenuated;
         const std::string where = b.shadowTest().reference ? "where the count is not that of the start"
                                                            : "where the count is not 0";
-        Pass& apply = b.rectangle((attenuated ? "attenuate " : "black ") + where,
-                                  attenuated ? blending(Zero, SrcColor) : Blend{}, attenuated ? kHalf : 0,
-                                  kWriteColour);
-        apply.stencil = b.shadowTest();
+        if (b.canShadow(0)) {
+            Pass& apply = b.rectangle((attenuated ? "attenuate " : "black ") + where,
+                                      attenuated ? blending(Zero, SrcColor) : Blend{}, attenuated ? kHalf : 0,
+                                      kWriteColour);
+            apply.stencil = b.shadowTest();
+            b.boundLast(0);
+        }
         ambient();
     }
 
     void alpha() {
-        b.clear({.label = "background, mask starts",
-                 .write = kWriteAll,
-                 .background = true,
-                 .value = b.maskStart(),
-                 .depth = true});
+        b.startMask({.label = "background, mask starts",
+                     .write = kWriteAll,
+                     .background = true,
+                     .value = b.maskStart(),
+                     .depth = true},
+                    kWriteAlpha);
         b.sceneFirst(lighting());
         b.countByBlending(0, kWriteAlpha);
         b.normalise(0, kWriteAlpha);
-        b.rectangle("mask times the scene", blending(Zero, DstAlpha), 1, kWriteColour);
+        if (!b.isNeutralOutside(0) || b.canShadow(0)) {
+            b.rectangle("mask times the scene", blending(Zero, DstAlpha), 1, kWriteColour);
+            if (b.isNeutralOutside(0)) b.boundLast(0);
+        }
         ambient();
     }
 
     void screen() {
-        b.clear({.label = "mask starts", .value = b.maskStart(), .depth = true});
+        if (b.isNeutralOutside(0)) return screenInWindow();
+        b.startMask({.label = "mask starts", .value = b.maskStart(), .depth = true}, kWriteColour);
         b.sceneDepth();
         b.countByBlending(0, kWriteColour);
         b.normalise(0, kWriteColour);
@@ -77,14 +85,22 @@ class OneLight {
     /// Section 4.5: the mask first, at its own resolution; then the scene; then the mask over it.
     void texture() {
         const ColourWrite mask = b.axes.store == Store::Alpha ? kWriteAlpha : kWriteColour;
-        b.clear({.label = "mask starts", .write = mask, .value = b.maskStart(), .depth = true});
-        b.sceneDepth();
-        b.countByBlending(0, mask);
-        b.normalise(0, mask);
-        b.copyMask();
+        const bool isApplied = b.canShadow(0) || !b.isNeutralOutside(0);
+        if (isApplied) {
+            b.startMask({.label = "mask starts", .write = mask, .value = b.maskStart(), .depth = true}, mask);
+            b.sceneDepth();
+            b.countByBlending(0, mask);
+            b.normalise(0, mask);
+            b.copyMask();
+        }
         b.clear({.label = "background", .background = true, .depth = true});
         b.sceneFirst(lighting());
-        b.applyTexture(0);
+        if (isApplied) {
+            b.applyTexture(0);
+        } else {
+            b.tap(0, MaskPlace::Colour);
+            b.finishOutside(0);
+        }
         ambient();
     }
 
@@ -107,8 +123,26 @@ class OneLight {
   private:
     Shading lighting() const { return b.axes.shade == Shade::Ambient ? Shading::Diffuse : Shading::Lit; }
 
+    /// The lit scene at once; the mask, and the scene over it, only where volumes matter.
+    void screenInWindow() {
+        b.clear({.label = "background", .background = true, .depth = true});
+        b.sceneFirst(lighting());
+        if (b.canShadow(0)) {
+            b.clear({.label = "mask starts where volumes matter", .value = b.maskStart()});
+            b.boundLast(0);
+            b.countByBlending(0, kWriteColour);
+        }
+        b.normalise(0, kWriteColour);
+        b.finishOutside(0);
+        if (b.canShadow(0)) {
+            b.sceneAgain("scene over the mask", 0, lighting(), blending(DstColor, Zero));
+            b.boundLast(0);
+        }
+        ambient();
+    }
+
     void ambient() {
-        if (b.axes.shade == Shade::Ambient)
+        if (b.axes.shade == Shade::Ambient && b.hasAmbient())
             b.sceneAgain("scene: add the ambient part", 0, Shading::Ambient, blending(One, One));
     }
 
@@ -119,13 +153,17 @@ class OneLight {
 /// in the colour buffer starts anew for each light; the frame so far waits in a texture meanwhile.
 class ManyLights {
   public:
-    explicit ManyLights(PlanBuilder& builder, int lights) : b(builder), m_lights(lights) {}
+    ManyLights(PlanBuilder& builder, std::vector<int> lights) : b(builder), m_lights(std::move(lights)) {}
 
     void stencil() {
-        b.clear({.label = "background", .background = true, .depth = true, .stencil = true});
+        b.clear({.label = "background",
+                 .background = true,
+                 .depth = true,
+                 .stencil = true,
+                 .light = m_lights.front()});
         b.sceneFirst(base());
-        for (int light = 0; light < m_lights; ++light) {
-            if (light > 0)
+        for (const int light : m_lights) {
+            if (!isFirst(light))
                 b.clear(
                     {.label = "count starts anew", .write = kWriteNothing, .stencil = true, .light = light});
             b.countInStencil(light);
@@ -147,8 +185,10 @@ class ManyLights {
     void alpha() {
         b.clear({.label = "background", .background = true, .depth = true});
         b.sceneFirst(base());
-        for (int light = 0; light < m_lights; ++light) {
-            b.clear({.label = "mask starts", .write = kWriteAlpha, .value = b.maskStart()});
+        for (const int light : m_lights) {
+            b.startMask(
+                {.label = "mask starts", .write = kWriteAlpha, .value = b.maskStart(), .light = light},
+                kWriteAlpha);
             b.countByBlending(light, kWriteAlpha);
             b.normalise(light, kWriteAlpha);
             b.sceneAgain("scene: add light " + std::to_string(light) + " times the mask", light,
@@ -159,20 +199,21 @@ class ManyLights {
     /// @p mask makes the mask of a light in the colour buffer.
     template <class Mask>
     void colour(const Mask& mask) {
-        for (int light = 0; light < m_lights; ++light) {
-            const bool isFirst = light == 0;
-            b.clear({.label = b.axes.store == Store::Counter ? "count starts at 0" : "mask starts",
-                     .value = b.axes.store == Store::DepthMap  ? 1
-                              : b.axes.store == Store::Counter ? 0
-                                                               : b.maskStart(),
-                     .depth = isFirst});
-            if (isFirst && b.axes.store != Store::DepthMap) b.sceneDepth();
-            mask(light, isFirst);
+        for (const int light : m_lights) {
+            b.startMask({.label = b.axes.store == Store::Counter ? "count starts at 0" : "mask starts",
+                         .value = b.axes.store == Store::DepthMap  ? 1
+                                  : b.axes.store == Store::Counter ? 0
+                                                                   : b.maskStart(),
+                         .depth = isFirst(light),
+                         .light = light},
+                        kWriteColour);
+            if (isFirst(light) && b.axes.store != Store::DepthMap) b.sceneDepth();
+            mask(light, isFirst(light));
             Pass& over = b.sceneAgain("scene: light " + std::to_string(light) + " over the mask", light,
                                       Shading::Diffuse,
                                       b.axes.store == Store::Counter ? Blend{} : blending(DstColor, Zero));
             if (b.axes.store == Store::Counter) over.program = Program::ShadeCount;
-            over.blackBackdrop = !isFirst;
+            over.blackBackdrop = !isFirst(light);
             finish(light);
         }
     }
@@ -189,20 +230,25 @@ class ManyLights {
     }
 
     void depthMap() {
-        for (int light = 0; light < m_lights; ++light) b.drawDepthMap(light);
-        colour([&](int light, bool isFirst) { b.maskFromDepthMap(light, isFirst); });
+        for (const int light : m_lights) b.drawDepthMap(light);
+        colour([&](int light, bool first) { b.maskFromDepthMap(light, first); });
     }
 
     void texture() {
         const ColourWrite mask = b.axes.store == Store::Alpha ? kWriteAlpha : kWriteColour;
-        for (int light = 0; light < m_lights; ++light) {
-            b.clear({.label = "mask starts", .write = mask, .value = b.maskStart(), .depth = true});
+        for (const int light : m_lights) {
+            b.startMask({.label = "mask starts",
+                         .write = mask,
+                         .value = b.maskStart(),
+                         .depth = true,
+                         .light = light},
+                        mask);
             b.sceneDepth();
             b.countByBlending(light, mask);
             b.normalise(light, mask);
             b.copyMask();
-            b.clear({.label = light == 0 ? "background" : "black",
-                     .background = light == 0,
+            b.clear({.label = isFirst(light) ? "background" : "black",
+                     .background = isFirst(light),
                      .value = 0,
                      .depth = true});
             b.sceneFirst(Shading::Diffuse, light);
@@ -212,17 +258,18 @@ class ManyLights {
     }
 
   private:
+    bool isFirst(int light) const { return light == m_lights.front(); }
     Shading base() const { return b.axes.shade == Shade::Black ? Shading::Black : Shading::Ambient; }
 
     void finish(int light) {
-        if (light == 0 && b.axes.shade != Shade::Black)
+        if (isFirst(light) && b.axes.shade != Shade::Black && b.hasAmbient())
             b.sceneAgain("scene: add the ambient part", 0, Shading::Ambient, blending(One, One));
-        if (light > 0) b.addFrameSoFar();
-        if (light + 1 < m_lights) b.keepFrame();
+        if (!isFirst(light)) b.addFrameSoFar();
+        if (light != m_lights.back()) b.keepFrame();
     }
 
     PlanBuilder& b;
-    int m_lights;
+    std::vector<int> m_lights;
 };
 
 template <class Flow>
@@ -241,17 +288,20 @@ Plan planFrame(const Axes& given, const FrameShape& frame, const Profile& profil
     const Axes axes = normalised(given);
     PlanBuilder b(axes, frame, profile);
     const int lights = int(frame.lights.size());
+    std::vector<int> drawn;
+    for (int light = 0; light < lights; ++light)
+        if (lights == 1 || !b.isLeftOut(light)) drawn.push_back(light);
     // Without any light there is nothing to mask, whatever the method.
-    if (axes.store == Store::None || lights == 0) {
+    if (axes.store == Store::None || drawn.empty()) {
         b.clear({.label = "background", .background = true, .depth = true});
         b.sceneFirst(lights == 1 ? Shading::Lit : Shading::Ambient);
-        for (int light = 0; lights > 1 && light < lights; ++light)
-            b.sceneAgain("scene: add light " + std::to_string(light), light, Shading::Diffuse,
+        for (std::size_t i = 0; lights > 1 && i < drawn.size(); ++i)
+            b.sceneAgain("scene: add light " + std::to_string(drawn[i]), drawn[i], Shading::Diffuse,
                          blending(One, One));
     } else if (lights == 1) {
         draw(OneLight(b), axes);
     } else {
-        draw(ManyLights(b, lights), axes);
+        draw(ManyLights(b, drawn), axes);
     }
     return b.take();
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,23 +11,25 @@
 
 namespace gnomon {
 
-/// What is known of one light's volumes in one frame; all tests behind it are conservative.
+/// What is known of one light's volumes in one frame; all tests behind it are conservative. Volumes are
+/// numbered as FrameVolumes::ordinals says.
 struct LightNeeds {
-    bool isBlack = false;                 ///< gives nothing to any surface that is seen
-    std::vector<WindowRect> windows{};    ///< Reach, of each volume that the full plan draws; mask pixels
-    std::vector<double> nearDistances{};  ///< likewise, world units
+    int brightest = 255;                  ///< the most that it gives to any surface that is seen, 0 to 255
+    std::vector<WindowRect> windows{};    ///< Reach; mask pixels
+    std::vector<double> nearDistances{};  ///< Reach; world units
+    std::vector<bool> isDrawn{};          ///< by the full plan: some face is in the window
     bool isClosed = true;                 ///< the faces of each volume close it
-    bool isTooDeep = false;               ///< volumes may nest deeper than the full plan's count holds
-    bool eyeIsOnFace = false;
-    bool backgroundInCaps = true;       ///< the background may be seen where a volume reaches to infinity
-    Nesting fromEye{}, fromInfinity{};  ///< of the volumes that matter
+    bool eyeIsOnFace = false;             ///< of a volume
+    bool seesBackground = true;           ///< somewhere in the windows
+    Nesting full{};                       ///< of all volumes, from the end from which the full plan counts
+    Nesting fromEye{};                    ///< of those with a window
 };
 
 /// What is known of one frame.
 struct FrameNeeds {
     std::vector<LightNeeds> lights{};
-    bool ambientIsBlack = false;
-    double nearestSurface = 0;  ///< surfaceDistance(), world units
+    int brightestAmbient = 255;  ///< of any surface that is seen, 0 to 255
+    double nearestSurface = 0;   ///< surfaceDistance(), world units
 };
 
 /// One effect in one plan: whether it is there, and the fact that calls for it or allows to leave it out,
@@ -42,8 +45,10 @@ struct EffectNote {
 /// A plan that simulates what a frame calls for, and why.
 struct MinimalPlan {
     Plan plan{};
-    Axes axes{};                              ///< those that it is made by: another count, fewer levels
-    std::vector<std::vector<int>> volumes{};  ///< by light: which of the full plan's volumes it draws
+    Axes axes{};         ///< those that it is made by: another count, fewer levels
+    bool isFull = true;  ///< no mask pass differs from the full plan's, and it draws the same volumes
+    /// By light: the volumes that it draws, in its order, as LightNeeds numbers them. Only if it isn't full.
+    std::vector<std::vector<std::uint32_t>> volumes{};
     std::vector<EffectNote> notes{};
 };
 

@@ -48,6 +48,24 @@ FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, co
     return volumes;
 }
 
+FrameVolumes only(const FrameVolumes& volumes, std::span<const std::uint32_t> ordinals) {
+    FrameVolumes kept;
+    kept.ordinals.assign(ordinals.begin(), ordinals.end());
+    for (const std::uint32_t ordinal : ordinals) {
+        const auto at = std::lower_bound(volumes.ordinals.begin(), volumes.ordinals.end(), ordinal);
+        const bool isThere = at != volumes.ordinals.end() && *at == ordinal;
+        for (int part = 0; part < kParts; ++part) {
+            FrameVolumes::Runs& runs = kept.parts[std::size_t(part)];
+            if (isThere) {
+                const auto faces = volumes.of(Part(part), std::size_t(at - volumes.ordinals.begin()));
+                runs.vertices.insert(runs.vertices.end(), faces.begin(), faces.end());
+            }
+            runs.begins.push_back(runs.vertices.size());
+        }
+    }
+    return kept;
+}
+
 bool eyeInVolume(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                  const View& view) {
     return std::any_of(lit.begin(), lit.end(),

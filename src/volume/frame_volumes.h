@@ -41,6 +41,9 @@ struct FrameVolumes {
 FrameVolumes frameVolumes(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                           const View& view, Parts parts, const CutStyle& style = {});
 
+/// Those of @p volumes whose ordinals are @p ordinals, in that order. One that is not there has no faces.
+FrameVolumes only(const FrameVolumes& volumes, std::span<const std::uint32_t> ordinals);
+
 /// Whether any volume touches the near rectangle, so that counting from 0 at the eye is wrong.
 bool eyeInVolume(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light,
                  const View& view);
