@@ -260,16 +260,18 @@ struct MaskPrediction::Impl {
         return b.equation == BlendEquation::Add ? 1 : -1;
     }
 
+    /// A volume's index among the plan's, -1 if no pass draws it.
+    int planVolume(const Crossing& c) const {
+        return in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
+    }
+
     /// The crossings that a pass may draw.
     std::span<const Crossing> crossingsOf(const Pass& pass, const Signature& signature) const {
         if (pass.volume == kAllVolumes) return signature;
-        const auto index = [&](const Crossing& c) {
-            return in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
-        };
         auto first = signature.begin();
-        while (first != signature.end() && index(*first) != pass.volume) ++first;
+        while (first != signature.end() && planVolume(*first) != pass.volume) ++first;
         auto last = first;
-        while (last != signature.end() && index(*last) == pass.volume) ++last;
+        while (last != signature.end() && planVolume(*last) == pass.volume) ++last;
         return {first, last};
     }
 
@@ -286,12 +288,10 @@ struct MaskPrediction::Impl {
         order.assign(general.begin(), general.end());
         bool misses = false;
         if (drawsOneByOne) {
-            int last = -1;
-            for (const Crossing& c : signature) {
-                const int index = in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
-                if (index == last) continue;
-                last = index;
-                const auto found = ofVolume.find(index);
+            for (std::size_t i = 0; i < signature.size(); ++i) {
+                const Crossing& c = signature[i];
+                if (i > 0 && signature[i - 1].volume == c.volume) continue;
+                const auto found = ofVolume.find(planVolume(c));
                 if (found != ofVolume.end())
                     order.insert(order.end(), found->second.begin(), found->second.end());
                 else
