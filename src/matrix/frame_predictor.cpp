@@ -135,7 +135,6 @@ struct FramePredictor::Impl {
         }
         if (axes.store == Store::DepthMap) {
             const MapMaskInputs inputs{.plan = mask.plan,
-                                       .light = mask.light,
                                        .window = *windowOf(mask),
                                        .depths = *depthsOf(mask.light, mask.plan.mapSize),
                                        .arithmetic = arithmeticOf(mask)};
@@ -149,7 +148,7 @@ struct FramePredictor::Impl {
 
         const LitKey key{mask.light, axes.silhouette, axes.capFaces};
         const auto found = crossingsOf(key, axes.offset, axes.maskDivisor, mask);
-        std::vector<int> planVolumes(volumesOf(*litOf(key)).size(), -1);
+        std::vector<int> planVolumes(volumeCount(*litOf(key)), -1);
         for (std::size_t v = 0; v < mask.ordinals.size(); ++v) planVolumes[mask.ordinals[v]] = int(v);
         const Eye& eye = eyeOf(key);
         const MaskInputs inputs{.plan = mask.plan,

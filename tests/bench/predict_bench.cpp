@@ -58,7 +58,7 @@ struct Setup {
         axes.arithmetic = store == Store::Stencil ? Arithmetic::Count : Arithmetic::Double;
         Profile chip;
         chip.colourFormats = {{"888", 8, 8, 8, 0}};
-        return planFrame(axes, {view.width, view.height, {{.volumes = int(volumesOf(lit).size())}}}, chip);
+        return planFrame(axes, {view.width, view.height, {{.volumes = int(volumeCount(lit))}}}, chip);
     }
     /// Sums up the mask, so that all of it is made.
     int mask(const Plan& plan, const Crossings& crossings) const {
