@@ -9,6 +9,7 @@
 #include "gl/capability.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
+#include "matrix/kept.h"
 #include "method/capacity.h"
 #include "volume/blockers.h"
 #include "volume/nesting.h"
@@ -86,17 +87,6 @@ std::string resultKey(const BufferFormat& f, const ChipArithmetic& chip, const P
         key += fmt::format("|{} {} {} {} {} {}", pass.label, describeState(pass), int(pass.shading),
                            pass.light, int(pass.drawn), pass.stencilValue);
     return key;
-}
-
-constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
-
-/// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
-template <class Map, class Make>
-auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
-    const auto found = map.find(key);
-    if (found != map.end()) return found->second;
-    if (map.size() >= kMostKept) map.clear();
-    return map.emplace(key, make()).first->second;
 }
 
 }  // namespace
