@@ -19,29 +19,14 @@ namespace gnomon {
 namespace {
 
 using testing::AllOf;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::IsSupersetOf;
 using testing::Not;
-using testing::SizeIs;
-using testing::StartsWith;
 using Json = nlohmann::json;
 
 const std::filesystem::path kShared = GNOMON_SHARED;
 
-class Program : public ProgramTest {
-  protected:
-    /// Holds @p outcome to the rule for bad arguments and files: status 2, one line on standard error that
-    /// has
-    /// @p what in it, nothing on standard output.
-    static void expectRefused(const Outcome& outcome, const std::string& what) {
-        EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_THAT(outcome.err, AllOf(StartsWith("gnomon: "), EndsWith("\n"), HasSubstr(what)));
-    }
-};
+class Program : public ProgramTest {};
 
 constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "reproduce", "prove",
                                      "profiles", "methods", "scenes", "mesh"};
