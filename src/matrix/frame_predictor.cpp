@@ -6,22 +6,12 @@
 #include <tuple>
 
 #include "matrix/depth_ties.h"
+#include "matrix/kept.h"
 #include "predict/map_prediction.h"
 #include "volume/blockers.h"
 
 namespace gnomon {
 namespace {
-
-constexpr std::size_t kMostKept = 12;  ///< of what is made for each light
-
-/// The value of @p key in @p map, made by @p make if it is new; a map that grows too large is emptied first.
-template <class Map, class Make>
-auto& kept(Map& map, const typename Map::key_type& key, const Make& make) {
-    const auto found = map.find(key);
-    if (found != map.end()) return found->second;
-    if (map.size() >= kMostKept) map.clear();
-    return map.emplace(key, make()).first->second;
-}
 
 bool isWrong(PixelVerdict verdict) {
     return verdict == PixelVerdict::WrongEdge || verdict == PixelVerdict::WrongInterior;
@@ -130,7 +120,6 @@ struct FramePredictor::Impl {
         }
         if (axes.store == Store::DepthMap) {
             const MapMaskInputs inputs{.plan = mask.plan,
-                                       .light = mask.light,
                                        .window = *windowOf(mask),
                                        .depths = *depthsOf(mask.light, mask.plan.mapSize),
                                        .arithmetic = arithmeticOf(mask)};
@@ -144,7 +133,7 @@ struct FramePredictor::Impl {
 
         const LitKey key{mask.light, axes.silhouette, axes.capFaces};
         const auto found = crossingsOf(key, axes.offset, axes.maskDivisor, mask);
-        std::vector<int> planVolumes(volumesOf(*litOf(key)).size(), mask.leavesOut ? kLeftOut : -1);
+        std::vector<int> planVolumes(volumeCount(*litOf(key)), mask.leavesOut ? kLeftOut : -1);
         for (std::size_t v = 0; v < mask.ordinals.size(); ++v) planVolumes[mask.ordinals[v]] = int(v);
         const Eye& eye = eyeOf(key);
         const MaskInputs inputs{.plan = mask.plan,

@@ -4,6 +4,7 @@
 
 #include "gl/chip_arithmetic.h"
 #include "matrix/lab.h"
+#include "predict/causes.h"
 #include "profile/profile.h"
 #include "scene/hard_case.h"
 
@@ -14,6 +15,7 @@ struct HardRun {
     Profile profile{};
     Axes axes{};
     FidelityChoice fidelity{};
+    Cause cause = Cause::None;  ///< why it must be wrong; None where it must be exact
     int width = 0, height = 0, frame = 0;
 };
 

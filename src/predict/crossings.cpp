@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <optional>
 
@@ -202,8 +203,10 @@ class Finder {
     }
 
     /// Where the face lies with regard to a surface, exactly and possibly.
+    /// @pre what @p covers the pixel however corners are rounded holds its ray
     void relate(Crossing& c, const Seen& seen, double inverse, const glm::dvec2& slope, double x, double y,
                 const Cone* cone, bool covers, bool holds) const {
+        assert(holds || !covers);
         const double behind = m_view.nearPlane * (seen.inverse - inverse);
         const double slack = m_surfaces.bandOf(seen.inverse) + kCorner * glm::length(slope - seen.slope);
         std::uint8_t possible = kBefore | kAt | kBehind;
@@ -228,8 +231,6 @@ class Finder {
                 c.exact = (possible & kAt) ? std::uint8_t(kAt) : possible;
         }
         c.possible = covers ? possible : std::uint8_t(possible | kMaybeAbsent);
-        if (covers && c.exact == kAbsent) c.exact = possible;
-        if (!covers && !holds) c.exact = kAbsent;
     }
 
     /// Sign of the face's depth less that of a surface's plane along the same ray.
@@ -295,14 +296,11 @@ class Finder {
 
 }  // namespace
 
-std::vector<VolumeOrigin> volumesOf(std::span<const LitCaster> lit) {
-    std::vector<VolumeOrigin> origins;
-    for (std::uint32_t c = 0; c < lit.size(); ++c) {
-        if (lit[c].lit.empty()) continue;
-        const std::size_t count = lit[c].perTriangle ? lit[c].lit.size() : 1;
-        for (std::uint32_t t = 0; t < count; ++t) origins.push_back({c, t});
-    }
-    return origins;
+std::size_t volumeCount(std::span<const LitCaster> lit) {
+    std::size_t count = 0;
+    for (const LitCaster& caster : lit)
+        count += caster.perTriangle ? caster.lit.size() : std::size_t(!caster.lit.empty());
+    return count;
 }
 
 int volumesAround(const Signature& signature) {

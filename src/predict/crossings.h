@@ -34,7 +34,7 @@ enum class Piece : std::uint8_t {
 
 /// One crossing of an eye ray with a face of a volume.
 struct Crossing {
-    std::uint32_t volume = 0;  ///< in the order of volumesOf()
+    std::uint32_t volume = 0;  ///< below volumeCount()
     Piece piece = Piece::Side;
     bool front = false;
     bool own = false;           ///< of the seen triangle: its cap, or a side that hangs from one of its edges
@@ -72,12 +72,9 @@ struct Crossings {
     }
 };
 
-/// A volume as the predictor numbers them: casters without lit triangles have none, one per lit triangle
-/// where the caster says so. Those that no pixel sees are counted too, unlike a plan's.
-struct VolumeOrigin {
-    std::uint32_t caster = 0, triangle = 0;
-};
-std::vector<VolumeOrigin> volumesOf(std::span<const LitCaster> lit);
+/// How many volumes the predictor numbers, caster by caster: none of one without lit triangles, one per lit
+/// triangle where the caster says so. Those that no pixel sees are counted too, unlike a plan's.
+std::size_t volumeCount(std::span<const LitCaster> lit);
 
 /// Finds all crossings of all eye rays of @p view, in front of and behind the visible surface.
 ///

@@ -15,7 +15,6 @@ namespace gnomon {
 /// What the mask of one light is predicted from where a depth map makes it.
 struct MapMaskInputs {
     const Plan& plan;
-    int light = 0;
     const SeenWindow& window;
     MapDepths& depths;  ///< of the light, as large as the plan's map
     MaskChannel arithmetic{};

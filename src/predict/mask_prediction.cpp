@@ -50,6 +50,21 @@ Run runOf(const Plan& plan, const MaskTap& tap) {
     return run;
 }
 
+bool wrapsUp(const StencilSide& side) {
+    return side.onPass == StencilOp::IncrWrap || side.onDepthFail == StencilOp::IncrWrap;
+}
+
+/// Whether the passes count up and down in steps that wrap.
+bool wrapsIn(const Plan& plan, const Run& run) {
+    const auto at = [&](std::size_t pass) { return plan.passes.begin() + std::ptrdiff_t(pass); };
+    return std::any_of(at(run.first), at(run.last), [](const Pass& pass) {
+        return pass.kind == PassKind::Volume &&
+               (wrapsUp(pass.stencil.front) || wrapsUp(pass.stencil.back) ||
+                pass.program == Program::CountFaces ||
+                (pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap));
+    });
+}
+
 /// Ways in which a crossing may meet a pass.
 enum Meeting { kNothing, kFrontPasses, kFrontFails, kBackPasses, kBackFails, kMeetings };
 
@@ -65,7 +80,11 @@ void makeSet(Values& values) {
 
 struct MaskPrediction::Impl {
     explicit Impl(const MaskInputs& inputs)
-        : in(inputs), plan(in.plan), tap(tapOf(plan, in.light)), run(runOf(plan, tap)) {
+        : in(inputs),
+          plan(in.plan),
+          tap(tapOf(plan, in.light)),
+          run(runOf(plan, tap)),
+          wraps(wrapsIn(plan, run)) {
         period = hasCodes() ? in.arithmetic.period() : 1;
         outcomes.resize(in.crossings.signatures.size() * std::size_t(period * period));
         for (std::size_t i = run.first + 1; i < run.last; ++i) {
@@ -260,16 +279,18 @@ struct MaskPrediction::Impl {
         return b.equation == BlendEquation::Add ? 1 : -1;
     }
 
+    /// A volume's index among the plan's, -1 if no pass draws it.
+    int planVolume(const Crossing& c) const {
+        return in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
+    }
+
     /// The crossings that a pass may draw.
     std::span<const Crossing> crossingsOf(const Pass& pass, const Signature& signature) const {
         if (pass.volume == kAllVolumes) return signature;
-        const auto index = [&](const Crossing& c) {
-            return in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
-        };
         auto first = signature.begin();
-        while (first != signature.end() && index(*first) != pass.volume) ++first;
+        while (first != signature.end() && planVolume(*first) != pass.volume) ++first;
         auto last = first;
-        while (last != signature.end() && index(*last) == pass.volume) ++last;
+        while (last != signature.end() && planVolume(*last) == pass.volume) ++last;
         return {first, last};
     }
 
@@ -286,12 +307,10 @@ struct MaskPrediction::Impl {
         order.assign(general.begin(), general.end());
         bool misses = false;
         if (drawsOneByOne) {
-            int last = -1;
-            for (const Crossing& c : signature) {
-                const int index = in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
-                if (index == last) continue;
-                last = index;
-                const auto found = ofVolume.find(index);
+            for (std::size_t i = 0; i < signature.size(); ++i) {
+                const Crossing& c = signature[i];
+                if (i > 0 && signature[i - 1].volume == c.volume) continue;
+                const auto found = ofVolume.find(planVolume(c));
                 if (found != ofVolume.end())
                     order.insert(order.end(), found->second.begin(), found->second.end());
                 else
@@ -402,6 +421,7 @@ struct MaskPrediction::Impl {
     const Plan& plan;
     const MaskTap& tap;
     const Run run;
+    const bool wraps;
     int period = 1;
 
     std::vector<std::size_t> general{};                  ///< passes that touch all rays
@@ -470,18 +490,7 @@ bool MaskPrediction::startsAtEye() const {
     return m_impl->startsAtEye();
 }
 bool MaskPrediction::wraps() const {
-    const auto& passes = m_impl->plan.passes;
-    return std::any_of(passes.begin() + std::ptrdiff_t(m_impl->run.first),
-                       passes.begin() + std::ptrdiff_t(m_impl->run.last), [](const Pass& pass) {
-                           const auto wraps = [](const StencilSide& side) {
-                               return side.onPass == StencilOp::IncrWrap ||
-                                      side.onDepthFail == StencilOp::IncrWrap;
-                           };
-                           return pass.kind == PassKind::Volume &&
-                                  (wraps(pass.stencil.front) || wraps(pass.stencil.back) ||
-                                   pass.program == Program::CountFaces ||
-                                   (pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap));
-                       });
+    return m_impl->wraps;
 }
 bool MaskPrediction::isStencil() const {
     return m_impl->run.place == MaskPlace::Stencil;

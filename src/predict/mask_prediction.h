@@ -85,7 +85,7 @@ class MaskPrediction {
     int uncountedNearCaps(int x, int y) const;
 
     /// Whether some face is so near to the visible surface, or so near to passing beside the ray, that the
-    /// mask may become another; kOwn if all of these hang from the seen triangle.
+    /// mask may become another; Own if all of these hang from the seen triangle.
     enum class Doubt { None, Own, Others };
     Doubt doubt(int x, int y) const;
 

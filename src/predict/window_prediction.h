@@ -15,7 +15,7 @@ class WindowPrediction {
     WindowPrediction(const Plan& plan, MaskPrediction& mask, int shownBits);
 
     /// Rows from the top, by pixel of the window: the mask is a shadow, in exact arithmetic.
-    bool shadow(std::size_t pixel) const { return m_shadow[pixel]; }
+    bool shadow(std::size_t pixel) const;
 
     /// Whether the mask may be shown as @p value: a stencil value, a count of 16 bits, or 8 bits of colour or
     /// alpha.
@@ -25,15 +25,18 @@ class WindowPrediction {
     glm::ivec2 maskPixel(std::size_t pixel) const;
 
   private:
-    struct Range {
-        float low = 0, high = 0;  ///< 8 bits
+    /// What a mask that is stretched holds, 8 bits.
+    struct Texel {
+        double exact = 0, low = 0, high = 0;
     };
-    void stretch(bool nearest, double rounding);
+    void readTexels();
+    Texel filtered(std::size_t pixel) const;
 
     const Plan& m_plan;
     MaskPrediction& m_mask;
-    std::vector<bool> m_shadow{};
-    std::vector<Range> m_ranges{};  ///< of a stretched mask
+    std::vector<Texel> m_texels{};  ///< of a stretched mask, rows from the top
+    bool m_nearest = false;
+    double m_rounding = 0;
 };
 
 }  // namespace gnomon

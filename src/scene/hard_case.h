@@ -9,7 +9,7 @@
 namespace gnomon {
 
 /// One cell that a hard case makes a promise about, in the words of the command line. Nothing here is
-/// resolved: scenes know neither chips nor methods.
+/// resolved: scenes know neither chips nor methods nor causes.
 struct HardCell {
     std::string method{};
     std::string profile{"ideal"};
@@ -19,7 +19,7 @@ struct HardCell {
     bool dithers = false;
     int frame = 0;
     int width = 320, height = 240;  ///< pixels
-    std::string cause{};            ///< why it must be wrong, of causeNames(); empty where it must be exact
+    std::string cause{};            ///< why it must be wrong; empty where it must be exact
     std::size_t line = 0;           ///< in the scene file
 };
 
@@ -31,9 +31,6 @@ struct HardCase {
     std::vector<HardCell> fails{};  ///< these must be wrong, and for their cause
     std::vector<HardCell> exact{};  ///< these must be exact
 };
-
-/// All causes that a wrong pixel can have, as JSON and reports name them.
-std::span<const std::string_view> causeNames();
 
 /// The axes' flags that a cell of a hard case may set, without dashes.
 std::span<const std::string_view> hardOptions();

@@ -19,29 +19,14 @@ namespace gnomon {
 namespace {
 
 using testing::AllOf;
-using testing::EndsWith;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::IsSupersetOf;
 using testing::Not;
-using testing::SizeIs;
-using testing::StartsWith;
 using Json = nlohmann::json;
 
 const std::filesystem::path kShared = GNOMON_SHARED;
 
-class Program : public ProgramTest {
-  protected:
-    /// Holds @p outcome to the rule for bad arguments and files: status 2, one line on standard error that
-    /// has
-    /// @p what in it, nothing on standard output.
-    static void expectRefused(const Outcome& outcome, const std::string& what) {
-        EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_THAT(outcome.err, AllOf(StartsWith("gnomon: "), EndsWith("\n"), HasSubstr(what)));
-    }
-};
+class Program : public ProgramTest {};
 
 constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "reproduce", "prove",
                                      "profiles", "methods", "scenes", "mesh"};
@@ -237,19 +222,21 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return test.param.name; });
 
 TEST_F(Program, ChecksThePromisesOfAHardCaseWithTheirLine) {
-    const auto hard = [&](const std::string& promise) {
-        return write(
-            "case.toml",
-            "lights = []\nobjects = []\n[camera]\neye = [0, 0, 5]\n[hard]\nfamily = \"f\"\nwhat = "
-            "\"w\"\nsource = \"ours\"\nfails = []\nexact = [\n    { method = \"carmack\" },\n    { " +
-                promise + " },\n]\n");
+    const auto caseOf = [&](const std::string& fails, const std::string& exact) {
+        return write("case.toml",
+                     "lights = []\nobjects = []\n[camera]\neye = [0, 0, 5]\n"
+                     "[hard]\nfamily = \"f\"\nwhat = \"w\"\nsource = \"ours\"\nfails = [" +
+                         fails + "]\nexact = [\n    { method = \"carmack\" },\n    " + exact + "\n]\n");
     };
+    const auto hard = [&](const std::string& promise) { return caseOf("", "{ " + promise + " },"); };
     const std::string file = hard("method = \"nosuch\"");
     expectRefused(run({"scenes", file}), file + ":12: no such method 'nosuch'");
     for (const char* promise :
          {"method = \"carmack\", profile = \"nosuch\"", "method = \"carmack\", silhouette = \"blob\"",
           "method = \"carmack\", dither = true", "method = \"carmack\", frame = 1"})
         expectRefused(run({"scenes", hard(promise)}), file + ":12: ");
+    expectRefused(run({"scenes", caseOf("\n    { method = \"heidmann\", cause = \"bad\\nluck\" },\n", "")}),
+                  file + ":10: no such cause 'bad luck'");
     EXPECT_THAT(run({"scenes", hard("method = \"heidmann\"")}).out,
                 HasSubstr("gnomon render " + file + " --method heidmann"));
 }

@@ -12,9 +12,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
-using testing::Not;
 using testing::SizeIs;
-using testing::StartsWith;
 using Json = nlohmann::json;
 
 const std::filesystem::path kData = std::filesystem::path(GNOMON_SHARED) / "data";
@@ -22,11 +20,7 @@ const std::filesystem::path kData = std::filesystem::path(GNOMON_SHARED) / "data
 class MeshCommand : public ProgramTest {
   protected:
     void expectRefused(const std::vector<std::string>& arguments, const std::string& what) const {
-        const Outcome outcome = run(arguments);
-        EXPECT_EQ(outcome.status, 2);
-        EXPECT_EQ(outcome.out, "");
-        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-        EXPECT_THAT(outcome.err, AllOf(StartsWith("gnomon: "), HasSubstr(what)));
+        ProgramTest::expectRefused(run(arguments), what);
     }
 
     Json jsonOf(const std::filesystem::path& file, const std::string& ringLights = "0") const {

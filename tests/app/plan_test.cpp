@@ -47,9 +47,7 @@ TEST_F(PlanCommand, TakesStartAndOverflowOfCountsInColour) {
     EXPECT_THAT(plan({"--overflow", "wrap"}).out, HasSubstr("blend ADD_WRAP ONE ONE"));
     EXPECT_THAT(plan({"--overflow", "saturate"}).out, HasSubstr("blend REVERSE_SUBTRACT ONE ONE"));
     EXPECT_THAT(plan({"--start", "middle"}).out, HasSubstr("take the start away"));
-    const Outcome refused = plan({"--start", "middle", "--overflow", "wrap"});
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_THAT(refused.err, HasSubstr("the middle is for one that saturates"));
+    expectRefused(plan({"--start", "middle", "--overflow", "wrap"}), "the middle is for one that saturates");
 }
 
 }  // namespace

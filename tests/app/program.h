@@ -1,10 +1,12 @@
 #pragma once
 
 #include <fcntl.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -54,6 +56,16 @@ class ProgramTest : public testing::Test {
         waitpid(pid, &status, 0);
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out),
                 contentOf(err)};
+    }
+
+    /// Holds @p outcome to the rule for bad arguments and files: status 2, one line on standard error that
+    /// has @p what in it, nothing on standard output.
+    static void expectRefused(const Outcome& outcome, const std::string& what) {
+        using namespace testing;
+        EXPECT_EQ(outcome.status, 2);
+        EXPECT_EQ(outcome.out, "");
+        EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+        EXPECT_THAT(outcome.err, AllOf(StartsWith("gnomon: "), EndsWith("\n"), HasSubstr(what)));
     }
 
     std::string write(const std::string& name, std::string_view content) const {

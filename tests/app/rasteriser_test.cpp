@@ -6,12 +6,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
+#include "expected/known_results.h"
 #include "program.h"
 
 namespace gnomon {
@@ -87,21 +86,6 @@ TEST_F(Rasteriser, GivesTheSameBitsForAnyWidthOfVectorsAndNumberOfThreads) {
     EXPECT_THAT(difference(wide, cells("LP_NUM_THREADS", "2")), SizeIs(0));
 }
 
-/// Scene and chip/method of each line of tests/expected/softpipe.txt.
-std::set<std::pair<std::string, std::string>> knownResults() {
-    std::set<std::pair<std::string, std::string>> known;
-    std::ifstream file(GNOMON_SOURCE "/tests/expected/softpipe.txt");
-    if (!file) throw std::runtime_error("tests/expected/softpipe.txt is missing");
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string scene, way;
-        if (line.empty() || line[0] == '#') continue;
-        words >> scene >> way;
-        known.emplace(scene, way);
-    }
-    return known;
-}
-
 // Left out:
 // - methods whose programs softpipe does not take; they fail, and say why;
 // - 16 bits of depth without stencil. There softpipe steps depth along a row in whole quanta: over 160 pixels
@@ -116,7 +100,7 @@ TEST_F(Rasteriser, MayBeSoftpipe) {
     // They are not the same program: the bits differ somewhere.
     EXPECT_THAT(difference(llvmpipe, softpipe), Not(SizeIs(0)));
 
-    const auto known = knownResults();
+    const auto known = knownResults("softpipe.txt");
     std::set<std::string> failed, compared;
     for (const auto& [id, expected] : llvmpipe) {
         const nlohmann::json& cell = softpipe.at(id);

@@ -19,6 +19,7 @@
 #include <map>
 #include <memory>
 
+#include "bench/run_benchmarks.h"
 #include "gl/renderer.h"
 #include "gl/tools.h"
 #include "scene/scene_file.h"
@@ -195,27 +196,7 @@ class RatioReporter : public benchmark::BenchmarkReporter {
 }  // namespace gnomon
 
 int main(int argc, char** argv) {
-    std::vector<char*> arguments(argv, argv + argc);
-    const auto table = std::find_if(arguments.begin() + 1, arguments.end(),
-                                    [](const char* argument) { return std::string(argument) == "--table"; });
-    const bool asTable = table != arguments.end();
-    static std::string repetitions = "--benchmark_repetitions=7",
-                       interleaved = "--benchmark_enable_random_interleaving=true",
-                       noSmoke = "--benchmark_filter=-Smoke";
-    if (asTable) {
-        arguments.erase(table);
-        for (std::string* option : {&repetitions, &interleaved, &noSmoke})
-            arguments.insert(arguments.begin() + 1, option->data());
-    }
-    int count = int(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
     gnomon::addAll();
     gnomon::RatioReporter reporter;
-    if (asTable)
-        benchmark::RunSpecifiedBenchmarks(&reporter);
-    else
-        benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-    return 0;
+    return gnomon::runBenchmarks(argc, argv, reporter);
 }

@@ -2,9 +2,8 @@
 /// floor.
 ///
 /// - Casters: the casters' faces and sides, by the plain builder
-/// - Crossings: what every pixel's eye ray crosses; of winding sides, and of one volume per triangle of a
-/// torus
-///   of 8,192
+/// - Crossings: what every pixel's eye ray crosses; of winding sides, and of one volume per triangle of
+///   a torus of 8,192
 /// - Mask: the passes done over in every pixel, given the crossings; a stencil's and a colour's
 /// - Frame: all of it for one method
 /// - Truth: the tracer's frame, beside which the others stand
@@ -15,6 +14,7 @@
 
 #include <memory>
 
+#include "bench/run_benchmarks.h"
 #include "bench/table_reporter.h"
 #include "bench/torus.h"
 #include "method/method.h"
@@ -58,7 +58,7 @@ struct Setup {
         axes.arithmetic = store == Store::Stencil ? Arithmetic::Count : Arithmetic::Double;
         Profile chip;
         chip.colourFormats = {{"888", 8, 8, 8, 0}};
-        return planFrame(axes, {view.width, view.height, {{.volumes = int(volumesOf(lit).size())}}}, chip);
+        return planFrame(axes, {view.width, view.height, {{.volumes = int(volumeCount(lit))}}}, chip);
     }
     /// Sums up the mask, so that all of it is made.
     int mask(const Plan& plan, const Crossings& crossings) const {
@@ -133,27 +133,7 @@ void addAll() {
 }  // namespace gnomon
 
 int main(int argc, char** argv) {
-    std::vector<char*> arguments(argv, argv + argc);
-    const auto table = std::find_if(arguments.begin() + 1, arguments.end(),
-                                    [](const char* argument) { return std::string(argument) == "--table"; });
-    const bool asTable = table != arguments.end();
-    static std::string repetitions = "--benchmark_repetitions=7",
-                       interleaved = "--benchmark_enable_random_interleaving=true",
-                       noSmoke = "--benchmark_filter=-Smoke";
-    if (asTable) {
-        arguments.erase(table);
-        for (std::string* option : {&repetitions, &interleaved, &noSmoke})
-            arguments.insert(arguments.begin() + 1, option->data());
-    }
-    int count = int(arguments.size());
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 1;
     gnomon::addAll();
     gnomon::TableReporter reporter;
-    if (asTable)
-        benchmark::RunSpecifiedBenchmarks(&reporter);
-    else
-        benchmark::RunSpecifiedBenchmarks();
-    benchmark::Shutdown();
-    return 0;
+    return gnomon::runBenchmarks(argc, argv, reporter);
 }

@@ -23,6 +23,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/run_benchmarks.h"
 #include "bench/table_reporter.h"
 #include "bench/torus.h"
 #include "volume/caster_mesh.h"
@@ -384,19 +385,7 @@ int main(int argc, char** argv) {
             registerScalar(tail, n, order);
         }
     }
-    // --table: what the README shows, all steps with the fastest kernels, in an order that is shuffled so
-    // that what is compared shares the machine's moods.
-    std::vector<char*> arguments(argv, argv + argc);
-    const auto isTable = [](const char* a) { return std::string(a) == "--table"; };
-    const bool table = std::erase_if(arguments, isTable) > 0;
-    std::string defaults[]{"--benchmark_repetitions=9", "--benchmark_enable_random_interleaving=true",
-                           "--benchmark_filter=/" + tableFilter()};
-    if (table)
-        for (std::string& word : defaults) arguments.insert(arguments.begin() + 1, word.data());
-    int count = int(arguments.size());
-    arguments.push_back(nullptr);
-    benchmark::Initialize(&count, arguments.data());
-    if (benchmark::ReportUnrecognizedArguments(count, arguments.data())) return 2;
+    // What the README shows: all steps with the fastest kernels.
     TableReporter reporter;
-    table ? benchmark::RunSpecifiedBenchmarks(&reporter) : benchmark::RunSpecifiedBenchmarks();
+    return runBenchmarks(argc, argv, reporter, {.repetitions = 9, .filter = "/" + tableFilter()});
 }

@@ -151,7 +151,7 @@ class FaultRig {
                                      .dither = arithmetic.undithered,
                                      .format = {"", format.red, format.green, format.blue, format.alpha},
                                      .channel = axes.store == Store::Alpha ? 3 : 0},
-                      .planVolumes = std::vector<int>(volumesOf(all).size(), -1),
+                      .planVolumes = std::vector<int>(volumeCount(all), -1),
                       .holdingEye = holdingEye(scene, all, light(), view.eye)};
         for (std::size_t v = 0; v < volumes.ordinals.size(); ++v)
             belief.planVolumes[volumes.ordinals[v]] = int(v);

@@ -73,13 +73,17 @@ INSTANTIATE_TEST_SUITE_P(Scenes, HardCases, testing::ValuesIn(hardSceneIds(kScen
     return name;
 });
 
-TEST(HardSuite, KnowsTheCausesOfThePredictor) {
-    std::vector<std::string> predictors;
-    for (int c = 0; c < kCauses; ++c)
-        if (Cause(c) != Cause::None) predictors.push_back(name(Cause(c)));
-    const auto known = causeNames();
-    EXPECT_THAT(std::vector<std::string>(known.begin(), known.end()),
-                testing::UnorderedElementsAreArray(predictors));
+// The command line turns it into a line of the scene file (cli_test).
+TEST(HardSuite, RefusesCausesThatNoPixelHas) {
+    HardCell cell{.method = "heidmann", .cause = "eye inside a volume"};
+    EXPECT_EQ(resolve(cell, kSource / "profiles").cause, Cause::EyeInside);
+    cell.cause = "bad\nluck";
+    try {
+        resolve(cell, kSource / "profiles");
+        ADD_FAILURE() << "taken";
+    } catch (const std::runtime_error& error) {
+        EXPECT_STREQ(error.what(), "no such cause 'bad luck'");
+    }
 }
 
 TEST(HardSuite, HasEveryFamily) {

@@ -1,5 +1,5 @@
 // Drawn cells hold what is predicted, and wrong pixels have a cause: whole frames with OpenGL. tests/predict
-// holds the predictor by itself, and planted_faults_test.cpp sees it notice.
+// holds the predictor by itself; planted_faults_test.cpp and false_predictions_test.cpp see it notice.
 
 #include <gmock/gmock.h>
 

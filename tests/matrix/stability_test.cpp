@@ -5,12 +5,11 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <functional>
 #include <optional>
 #include <set>
-#include <sstream>
 
+#include "expected/known_results.h"
 #include "nasty_scenes.h"
 #include "shown.h"
 #include "variants.h"
@@ -70,21 +69,6 @@ std::vector<Variant> variants() {
     return all;
 }
 
-/// Scenes and methods that are known not to be stable: tests/expected/stability.txt says why.
-std::set<std::pair<std::string, std::string>> knownResults() {
-    std::set<std::pair<std::string, std::string>> known;
-    std::ifstream file(kSource / "tests/expected/stability.txt");
-    if (!file) throw std::runtime_error("tests/expected/stability.txt is missing");
-    for (std::string line; std::getline(file, line);) {
-        std::istringstream words(line);
-        std::string scene, way;
-        if (line.empty() || line[0] == '#') continue;
-        words >> scene >> way;
-        known.emplace(scene, way);
-    }
-    return known;
-}
-
 /// A test run draws each scene in two ways, others from scene to scene; GNOMON_STABILITY=all in the
 /// environment makes it all of them.
 std::vector<Way> waysFor(const std::string& scene) {
@@ -92,7 +76,7 @@ std::vector<Way> waysFor(const std::string& scene) {
     const auto place = std::size_t(std::find(ids.begin(), ids.end(), scene) - ids.begin());
     const char* wanted = std::getenv("GNOMON_STABILITY");
     const bool isAll = wanted && std::string(wanted) == "all";
-    const auto known = knownResults();
+    const auto known = knownResults("stability.txt");  // says why
     std::vector<Way> all = ways(), chosen;
     for (std::size_t i = 0; i < all.size(); ++i)
         if ((isAll || (i + place) % 7 == 0) && !known.contains({scene, all[i].name()}))

@@ -163,15 +163,11 @@ TEST(Crossings, AreNoneWithoutALitCaster) {
     for (const Signature& signature : crossings.signatures) EXPECT_TRUE(signature.empty());
 }
 
-TEST(VolumesOf, CountsCastersThatHaveLitTrianglesOrEachOfThese) {
+TEST(VolumeCount, IsOfCastersThatHaveLitTrianglesOrEachOfThese) {
     const std::vector<LitCaster> lit{{.object = 0, .lit = {{0, 1, 2}, {0, 2, 3}}},
                                      {.object = 1},
                                      {.object = 2, .lit = {{0, 1, 2}, {0, 2, 3}}, .perTriangle = true}};
-    const auto origins = volumesOf(lit);
-    ASSERT_EQ(origins.size(), 3u);
-    EXPECT_EQ(origins[0].caster, 0u);
-    EXPECT_EQ(origins[2].caster, 2u);
-    EXPECT_EQ(origins[2].triangle, 1u);
+    EXPECT_EQ(volumeCount(lit), 3u);
 }
 
 }  // namespace

@@ -246,6 +246,19 @@ TEST(MaskPrediction, AllowsNothingWhereThePlanLeavesOutAVolume) {
     EXPECT_FALSE(mask.values(1, 0).empty());
 }
 
+TEST(MaskPrediction, AllowsNothingWhereThePlanLeavesOutTheFirstVolumeOrOneAfterAnother) {
+    const Plan plan = planOf(method("roettger-screen"), 3, 1);
+    const Crossing unsure = doubtful(in(0), kBefore | kMaybeAbsent);
+    const Crossings rays = row({{in(0), in(2)}, {unsure, in(1), in(2)}, {unsure, in(2)}});
+    const std::vector<int> drawn{-1, -1, 0};
+    const MaskPrediction mask(
+        {.plan = plan, .crossings = rays, .arithmetic = kEightBits, .planVolumes = drawn});
+    EXPECT_TRUE(mask.values(0, 0).empty());
+    EXPECT_TRUE(mask.values(1, 0).empty());
+    // The first need not be there.
+    EXPECT_FALSE(mask.values(2, 0).empty());
+}
+
 // ---- Starts ----
 
 TEST(MaskPrediction, StartsFromWhatHidesTheEye) {

@@ -243,7 +243,7 @@ TEST_F(SceneFile, NamesFileAndLineOfErrorsInTrianglesAndHardCases) {
         {"family = \"eyes\"", "familiy = \"eyes\"", "s.toml:13: unknown key 'familiy' in [hard]"},
         {"family = \"eyes\"", "family = \"\"", "s.toml:13: 'family' must be one line"},
         {"what = \"hard to see\"", "", "s.toml:12: 'what' is missing"},
-        {"eye inside a volume", "bad luck", "s.toml:16: no such cause 'bad luck'"},
+        {"eye inside a volume", "", "s.toml:16: 'cause' must not be empty"},
         {", cause = \"eye inside a volume\"", "", "s.toml:16: 'cause' is missing"},
         {"method = \"carmack\"", "method = \"carmack\", cause = \"far plane\"",
          "s.toml:18: unknown key 'cause' in a cell of 'exact'"},

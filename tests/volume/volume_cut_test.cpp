@@ -118,6 +118,28 @@ TEST(EyeBlockers, CoverTheirPixelAsOftenAsVolumesHoldTheEye) {
     EXPECT_GT(held, 50);
 }
 
+// A directional light gives the view no length of its own: its pixel must shrink with the scene, or all
+// casters fall into it. Powers of two leave every bit of the arithmetic as it is.
+TEST(EyeBlockers, OfADirectionalLightAreTheSameAtAnyScale) {
+    int held = 0;
+    for (unsigned seed = 0; seed < 600; seed += 3) {
+        const World w = randomWorld(seed);
+        ASSERT_EQ(w.light.w, 0);
+        const auto expected = eyeBlockers(w.scene, w.lit, w.light, w.view.eye);
+        for (const float scale : {0x1p-30f, 0x1p30f}) {
+            Scene scaled = w.scene;
+            for (glm::vec3& p : scaled.objects[0].mesh.positions) p *= scale;
+            const auto lit = litCasters(scaled, w.light, Silhouette::Winding);
+            const glm::dvec3 eye = double(scale) * w.view.eye;
+            ASSERT_TRUE(eyeBlockers(scaled, lit, w.light, eye) == expected) << seed << " times " << scale;
+            ASSERT_EQ(holdingEye(scaled, lit, w.light, eye), holdingEye(w.scene, w.lit, w.light, w.view.eye))
+                << seed << " times " << scale;
+        }
+        held += !expected.empty();
+    }
+    EXPECT_GT(held, 20);
+}
+
 TEST(EyeBlockers, AreNoneForAnEyeAtTheLight) {
     const Scene scene = sceneOf(cube({0, 0, 0}, 1));
     const glm::vec4 light(3, 0, 0, 1);
