@@ -17,6 +17,7 @@ struct Options {
     MethodOption methods{};
     SizeOption sizes{};
     FidelityOption fidelity{};
+    EffectsOption effects{};
     FormatOption format{};
     std::vector<std::string> frames{};
     int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
@@ -38,6 +39,7 @@ int run(const Options& options) {
     request.profiles = options.profiles.load();
     request.scenes = options.scenes.load();
     request.fidelities = options.fidelity.value(request.profiles);
+    request.effects = options.effects.value();
     request.jobs = options.jobs;
     for (const Scene& scene : request.scenes) {
         if (framesOf(request, scene).empty())
@@ -82,6 +84,7 @@ void addMatrix(CLI::App& app, int& status) {
         ->delimiter(',')
         ->allow_extra_args(false);
     options->fidelity.addTo(*command);
+    options->effects.addTo(*command);
     options->format.addTo(*command);
     command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
         ->check(CLI::Range(1, 256));

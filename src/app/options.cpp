@@ -384,6 +384,28 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
     return all;
 }
 
+void EffectsOption::addTo(CLI::App& app) {
+    std::string names;
+    for (int i = 0; i < kEffects; ++i) names += (i ? ", " : "") + name(Effect(i));
+    app.add_option(
+           "--effects", words,
+           "needed: draw what the frame calls for, and no more; full: everything; or a list of what is\n"
+           "drawn all the same, of " +
+               names + "\n(default: named methods in full, as they are published; auto as needed)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
+}
+
+std::optional<Effects> EffectsOption::value() const {
+    if (words.empty()) return std::nullopt;
+    for (const std::string& word : words)
+        if (words.size() > 1 ? !effectNamed(word) : !effectsFrom(word))
+            throw UsageError(
+                fmt::format("--effects: {} '{}'; it is full, needed, or a list of effects",
+                            word == "full" || word == "needed" ? "more words than" : "no such effect", word));
+    return effectsFrom(fmt::format("{}", fmt::join(words, ",")));
+}
+
 void SizeOption::addTo(CLI::App& app) {
     app.add_option("--size", words, "image size in pixels (default: 320x240)")
         ->delimiter(',')

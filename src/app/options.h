@@ -77,6 +77,15 @@ struct MethodOption {
     void checkUsed(const std::vector<Axes>& methods) const;
 };
 
+/// --effects
+struct EffectsOption {
+    std::vector<std::string> words{};
+    void addTo(CLI::App& app);
+    /// Nothing if it was not given.
+    /// @throws UsageError for an unknown word
+    std::optional<Effects> value() const;
+};
+
 /// --size
 struct SizeOption {
     std::vector<std::string> words{};

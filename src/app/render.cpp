@@ -20,6 +20,7 @@ struct Options {
     MethodOption methods{};
     SizeOption sizes{};
     FidelityOption fidelity{};
+    EffectsOption effects{};
     FormatOption format{};
     int frame = 0;
     std::string image{}, mask{}, truth{}, steps{};
@@ -65,8 +66,11 @@ std::string summary(const Cell& cell) {
     for (const std::string& warning : cell.warnings) text += fmt::format("  warning: {}\n", warning);
     text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
                         cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
-    text += fmt::format("  cost: {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",
-                        cell.vertices, cell.cpuMs, cell.unshadowedMs);
+    if (!cell.drawnBy.empty()) text += fmt::format("  drawn by: {}\n", cell.drawnBy);
+    if (cell.effects != Effects::all()) text += fmt::format("  effects: {}\n", toString(cell.effects));
+    text += fmt::format(
+        "  cost: {} touched pixels, {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",
+        cell.touched.total(), cell.vertices, cell.cpuMs, cell.unshadowedMs);
     return text;
 }
 
@@ -117,6 +121,7 @@ int run(const Options& options) {
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     lab.use(theOnly("--fidelity", options.fidelity.value({profile})));
+    lab.simulate(options.effects.value());
     const Scene& scene = lab.scene();
     if (options.frame < 0 || options.frame >= int(scene.frames.size()))
         throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
@@ -180,6 +185,7 @@ void addRender(CLI::App& app, int& status) {
         ->type_name("FILE.png");
     command->add_option("--steps", options->steps, "write the buffers after every pass")->type_name("DIR");
     options->fidelity.addTo(*command);
+    options->effects.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

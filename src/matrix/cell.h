@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "cost/touched.h"
 #include "method/method.h"
+#include "needs/effects.h"
 #include "plan/plan.h"
 #include "volume/nesting.h"
 
@@ -26,6 +28,8 @@ struct Cell {
     int width = 0, height = 0, frame = 0;
     int lights = 1;
     std::string fidelity = "gl";
+    Effects effects = Effects::all();  ///< simulated besides what the frame calls for
+    std::string drawnBy{};             ///< the named method that an automatic one has chosen; else empty
 
     Verdict verdict = Verdict::Failed;
     bool chosen = false;                  ///< the path that gnomon takes on this chip when no method is named
@@ -38,6 +42,7 @@ struct Cell {
     int tiedTruth = 0, tiedCount = 0;
     int wrongEdge = 0, wrongInterior = 0;
     int unpredicted = 0;                 ///< untied pixels whose mask is not what the predictor says
+    TouchedPixels touched{};             ///< in all passes
     long vertices = 0;                   ///< drawn in all passes
     double cpuMs = 0, unshadowedMs = 0;  ///< thread CPU time of the frame, and of the same without shadows
     std::string digest{};                ///< over mask and image, 16 hexadecimal digits

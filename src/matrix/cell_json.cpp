@@ -45,6 +45,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"frame", c.frame},
         {"lights", c.lights},
         {"fidelity", c.fidelity},
+        {"effects", toString(c.effects)},
         {"verdict", name(c.verdict)},
         {"chosen", c.chosen},
         {"missing", missing},
@@ -54,6 +55,12 @@ nlohmann::ordered_json toJson(const Cell& c) {
           {"volume", c.passes.volume},
           {"rectangle", c.passes.rectangle},
           {"copy", c.passes.copy}}},
+        {"touched",
+         {{"clear", c.touched.clear},
+          {"scene", c.touched.scene},
+          {"volume", c.touched.volume},
+          {"rectangle", c.touched.rectangle},
+          {"copy", c.touched.copy}}},
         {"pixels", c.pixels},
         {"tied", {{"truth", c.tiedTruth}, {"count", c.tiedCount}}},
         {"wrong", {{"edge", c.wrongEdge}, {"interior", c.wrongInterior}}},
@@ -79,6 +86,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
     }
     if (c.axes.maskDivisor == 1) json["mask_scale"] = 1;
     if (c.axes.arithmetic != Arithmetic::Double) json.erase("levels");
+    if (!c.drawnBy.empty()) json["drawn_by"] = c.drawnBy;
     if (c.verdict == Verdict::Failed) json["error"] = c.error;
     return json;
 }
@@ -104,6 +112,8 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.lights = j.at("lights");
     c.width = j.at("width"), c.height = j.at("height"), c.frame = j.at("frame");
     c.fidelity = j.at("fidelity");
+    c.effects = effectsFrom(j.at("effects")).value_or(Effects::all());
+    c.drawnBy = j.value("drawn_by", "");
     c.verdict = wordOf<Verdict>(j.at("verdict"), 5);
     c.chosen = j.at("chosen");
     for (const auto& m : j.at("missing"))
@@ -111,6 +121,12 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     for (const auto& [cause, pixels] : j.at("causes").items()) c.causes[cause] = pixels;
     const auto& p = j.at("passes");
     c.passes = {p.at("scene"), p.at("volume"), p.at("rectangle"), p.at("copy")};
+    const auto& t = j.at("touched");
+    c.touched = {.clear = t.at("clear"),
+                 .scene = t.at("scene"),
+                 .volume = t.at("volume"),
+                 .rectangle = t.at("rectangle"),
+                 .copy = t.at("copy")};
     c.pixels = j.at("pixels");
     c.tiedTruth = j.at("tied").at("truth"), c.tiedCount = j.at("tied").at("count");
     c.wrongEdge = j.at("wrong").at("edge"), c.wrongInterior = j.at("wrong").at("interior");

@@ -54,8 +54,9 @@ struct FramePredictor::Impl {
         });
     }
 
+    template <class AnyMask>
     std::shared_ptr<const Crossings> crossingsOf(const LitKey& key, float offset, int divisor,
-                                                 const RenderedMask& mask) {
+                                                 const AnyMask& mask) {
         const int depth = mask.format.depth;
         return kept(crossings, {key, offset, divisor, depth, mask.chip.depth}, [&] {
             View seen = view;
@@ -105,6 +106,57 @@ struct FramePredictor::Impl {
         return isUnpredicted;
     }
 
+    /// A mask of volumes, predicted.
+    struct Predicted {
+        template <class AnyMask>
+        Predicted(Impl& impl, const AnyMask& of)
+            : key{of.light, of.axes.silhouette, of.axes.capFaces},
+              crossings(impl.crossingsOf(key, of.axes.offset, of.axes.maskDivisor, of)),
+              planVolumes(impl.planVolumesOf(key, of)),
+              inputs{.plan = of.plan,
+                     .light = of.light,
+                     .crossings = *crossings,
+                     .arithmetic = maskChannel(of.format, of.chip, of.axes),
+                     .planVolumes = planVolumes,
+                     .holdingEye = impl.eyeOf(key).held,
+                     .eyeOnFace = impl.eyeOf(key).onFace},
+              mask(inputs),
+              window(of.plan, mask, inputs.arithmetic.bits()) {}
+
+        LitKey key;
+        std::shared_ptr<const Crossings> crossings;
+        std::vector<int> planVolumes;
+        MaskInputs inputs;
+        MaskPrediction mask;
+        WindowPrediction window;
+    };
+
+    template <class AnyMask>
+    std::vector<int> planVolumesOf(const LitKey& key, const AnyMask& of) {
+        std::vector<int> indices(volumeCount(*litOf(key)), of.leavesOut ? kLeftOut : -1);
+        for (std::size_t v = 0; v < of.ordinals.size(); ++v) indices[of.ordinals[v]] = int(v);
+        return indices;
+    }
+
+    Foreseen foresee(const PlannedMask& of) {
+        Predicted predicted(*this, of);
+        std::vector<bool> shadow(of.truth.blocked.size());
+        for (std::size_t p = 0; p < shadow.size(); ++p) shadow[p] = predicted.window.shadow(p);
+        const Judgement judgement =
+            judge(of.truth, shadow, of.axes.maskDivisor, of.axes.arithmetic != Arithmetic::Count);
+        Foreseen out{.wrong = judgement.wrong()};
+        if (of.axes.maskDivisor != 1) return out;
+        for (std::size_t p = 0; p < shadow.size(); ++p) {
+            if (judgement.pixels[p] != PixelVerdict::Right || of.truth.facesAway[p]) continue;
+            const int x = int(p) % of.truth.width, y = int(p) / of.truth.width;
+            const auto values = predicted.mask.values(x, y);
+            out.doubtful += std::any_of(values.begin(), values.end(), [&](int value) {
+                return predicted.mask.isShadow(value) != of.truth.blocked[p];
+            });
+        }
+        return out;
+    }
+
     Explained explain(const RenderedMask& mask) {
         Explained out;
         const Axes& axes = mask.axes;
@@ -132,24 +184,11 @@ struct FramePredictor::Impl {
         }
 
         const LitKey key{mask.light, axes.silhouette, axes.capFaces};
-        const auto found = crossingsOf(key, axes.offset, axes.maskDivisor, mask);
-        std::vector<int> planVolumes(volumeCount(*litOf(key)), mask.leavesOut ? kLeftOut : -1);
-        for (std::size_t v = 0; v < mask.ordinals.size(); ++v) planVolumes[mask.ordinals[v]] = int(v);
-        const Eye& eye = eyeOf(key);
-        const MaskInputs inputs{.plan = mask.plan,
-                                .light = mask.light,
-                                .crossings = *found,
-                                .arithmetic = arithmeticOf(mask),
-                                .planVolumes = planVolumes,
-                                .holdingEye = eye.held,
-                                .eyeOnFace = eye.onFace};
-        MaskPrediction prediction(inputs);
-        const WindowPrediction window(mask.plan, prediction, inputs.arithmetic.bits());
-
-        const std::vector<bool> isUnpredicted = held(mask, window, out);
+        Predicted predicted(*this, mask);
+        const std::vector<bool> isUnpredicted = held(mask, predicted.window, out);
 
         std::shared_ptr<const Crossings> whole, winding;
-        CauseInputs causes{.truth = mask.truth, .mask = inputs, .prediction = prediction};
+        CauseInputs causes{.truth = mask.truth, .mask = predicted.inputs, .prediction = predicted.mask};
         causes.parity = axes.arithmetic == Arithmetic::Parity;
         causes.halves = axes.arithmetic == Arithmetic::Halve;
         causes.insideOut = axes.capFaces == CapFaces::Away;
@@ -184,6 +223,10 @@ void FramePredictor::select(const View& view) {
     m_impl->crossings.clear();
     m_impl->eyes.clear();
     m_impl->windows.clear();
+}
+
+Foreseen FramePredictor::foresee(const PlannedMask& mask) {
+    return m_impl->foresee(mask);
 }
 
 Explained FramePredictor::explain(const RenderedMask& mask) {

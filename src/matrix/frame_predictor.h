@@ -40,6 +40,24 @@ struct Explained {
     std::vector<Cause> causes{};  ///< by pixel; None where it is right or tied. Empty if all are
 };
 
+/// A mask that has not been drawn.
+struct PlannedMask {
+    const Plan& plan;
+    const Axes& axes;
+    const BufferFormat& format;
+    const ChipArithmetic& chip;
+    int light = 0;
+    const Truth& truth;
+    std::span<const std::uint32_t> ordinals{};  ///< as of RenderedMask
+    bool leavesOut = false;                     ///< likewise
+};
+
+/// What a mask will show.
+struct Foreseen {
+    int wrong = 0;     ///< untied pixels that are wrong in exact arithmetic
+    int doubtful = 0;  ///< untied pixels that may come out wrong as a rasteriser rounds
+};
+
 /// Holds rendered masks against their prediction, and says why wrong pixels are wrong. Keeps what the masks
 /// of one frame share.
 class FramePredictor {
@@ -52,6 +70,9 @@ class FramePredictor {
     void select(const View& view);
 
     Explained explain(const RenderedMask& mask);
+
+    /// @pre the mask is counted by volumes
+    Foreseen foresee(const PlannedMask& mask);
 
   private:
     struct Impl;

@@ -7,6 +7,7 @@
 
 #include "gl/blend_program.h"
 #include "gl/capability.h"
+#include "matrix/choice.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
 #include "matrix/kept.h"
@@ -74,7 +75,7 @@ struct Lab::Impl {
 
     Scene scene;
     FidelityChoice fidelity{};
-    Effects effects = Effects::all();
+    std::optional<Effects> effects{};
     std::optional<NeedsFinder> needs{};
     std::optional<SilhouetteFinder> finder{};
     std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
@@ -292,8 +293,11 @@ struct Lab::Impl {
     }
 
     Drawing drawingOf(const Profile& profile, const Axes& axes) {
-        if (effects == Effects::all()) return {.axes = axes, .plan = planOf(profile, axes)};
-        MinimalPlan least = minimalOf(profile, axes);
+        if (!effects || *effects == Effects::all()) return {.axes = axes, .plan = planOf(profile, axes)};
+        return drawingOf(minimalOf(profile, axes));
+    }
+
+    static Drawing drawingOf(MinimalPlan least) {
         return {.axes = least.axes,
                 .plan = std::move(least.plan),
                 .isFull = least.isFull,
@@ -301,10 +305,55 @@ struct Lab::Impl {
                 .notes = std::move(least.notes)};
     }
 
+    Foreseen foresee(const Profile& profile, const Drawing& drawing) {
+        const BufferFormat format = bufferFormatOf(profile);
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        Foreseen all;
+        for (const MaskTap& tap : drawing.plan.masks) {
+            const auto truth = truthOf(tap.light, format.depth, chip.depth, drawing.axes.silhouette);
+            const auto drawn = drawnVolumes(profile, drawing, tap.light);
+            const Foreseen one = predictorOf().foresee({.plan = drawing.plan,
+                                                        .axes = drawing.axes,
+                                                        .format = format,
+                                                        .chip = chip,
+                                                        .light = tap.light,
+                                                        .truth = *truth,
+                                                        .ordinals = drawn->ordinals,
+                                                        .leavesOut = !drawing.isFull});
+            all.wrong += one.wrong, all.doubtful += one.doubtful;
+        }
+        return all;
+    }
+
+    TouchedPixels touched(const Profile& profile, const Drawing& drawing) {
+        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
+            if (index != last) {
+                lightFrame(profile, drawing, index);
+                // What a geometry shader makes is about what the host would.
+                if (drawing.axes.count == Count::AtomicZp && !current.volumes && lights() > 0)
+                    current.volumes =
+                        volumesOf(index, {drawing.axes.silhouette, drawing.axes.capFaces,
+                                          partsOf(Count::Zpass), cutStyleOf(drawing.axes, false)});
+            }
+            last = index;
+            return current;
+        };
+        return touchedPixels(drawing.plan, surfacesOf(), frames);
+    }
+
+    FramePredictor& predictorOf() {
+        if (!predictor) {
+            predictor.emplace(scene);
+            predictor->select(view());
+        }
+        return *predictor;
+    }
+
     MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
         return gnomon::minimalPlan(
             axes, frameShape(profile, axes), profile, needsOf(profile, axes),
-            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes), effects);
+            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes),
+            effects.value_or(Effects::none()));
     }
 
     std::vector<VolumeKey> volumeKeys(const Profile& profile, const Axes& axes) {
@@ -349,8 +398,8 @@ struct Lab::Impl {
                               {.offset = axes.offset}};
         auto [at, isNew] = nestings.try_emplace({index, which, mask.width, mask.height});
         if (isNew)
-            at->second = nesting(scene, litOf(index, axes.silhouette, axes.capFaces), light(index).position,
-                                 mask, from, axes.offset);
+            at->second = gnomon::nesting(scene, litOf(index, axes.silhouette, axes.capFaces),
+                                         light(index).position, mask, from, axes.offset);
         return at->second;
     }
 
@@ -382,6 +431,7 @@ struct Lab::Impl {
         rendered.values.resize(std::size_t(lights()),
                                isMasked ? std::vector<std::uint16_t>{} : rendered.values.front());
 
+        cell.touched = touched(profile, drawing);
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
@@ -450,20 +500,16 @@ struct Lab::Impl {
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
         const auto drawn =
             hasVolumes ? drawnVolumes(profile, drawing, index) : std::make_shared<const FrameVolumes>();
-        if (!predictor) {
-            predictor.emplace(scene);
-            predictor->select(view());
-        }
-        return predictor->explain({.plan = drawing.plan,
-                                   .axes = axes,
-                                   .format = format,
-                                   .chip = chip,
-                                   .light = index,
-                                   .truth = truth,
-                                   .judgement = judgement,
-                                   .values = values,
-                                   .ordinals = drawn->ordinals,
-                                   .leavesOut = !drawing.isFull});
+        return predictorOf().explain({.plan = drawing.plan,
+                                      .axes = axes,
+                                      .format = format,
+                                      .chip = chip,
+                                      .light = index,
+                                      .truth = truth,
+                                      .judgement = judgement,
+                                      .values = values,
+                                      .ordinals = drawn->ordinals,
+                                      .leavesOut = !drawing.isFull});
     }
 };
 
@@ -478,8 +524,19 @@ void Lab::use(const FidelityChoice& choice) {
     m_impl->fidelity = choice;
 }
 
-void Lab::simulate(const Effects& effects) {
+void Lab::simulate(const std::optional<Effects>& effects) {
     m_impl->effects = effects;
+}
+
+const std::optional<Effects>& Lab::simulated() const {
+    return m_impl->effects;
+}
+
+Nesting Lab::nesting(const Axes& axes, int width, int height, int frame) {
+    m_impl->select({width, height, frame});
+    Nesting all;
+    for (int i = 0; i < m_impl->lights(); ++i) all = deepest(all, m_impl->nestingOf(normalised(axes), i));
+    return all;
 }
 
 Plan Lab::plan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
@@ -490,6 +547,17 @@ Plan Lab::plan(const Profile& profile, const Axes& axes, int width, int height, 
 MinimalPlan Lab::minimalPlan(const Profile& profile, const Axes& axes, int width, int height, int frame) {
     m_impl->select({width, height, frame});
     return m_impl->minimalOf(profile, normalised(axes));
+}
+
+Foreseen Lab::foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame) {
+    m_impl->select({width, height, frame});
+    return m_impl->foresee(profile, Impl::drawingOf(minimal));
+}
+
+TouchedPixels Lab::touched(const Profile& profile, const MinimalPlan& minimal, int width, int height,
+                           int frame) {
+    m_impl->select({width, height, frame});
+    return m_impl->touched(profile, Impl::drawingOf(minimal));
 }
 
 std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {
@@ -509,8 +577,27 @@ std::vector<Lab::Candidate> Lab::path(const Profile& profile, int width, int hei
     return tried;
 }
 
+Cell Lab::runChosen(const Profile& profile, const Axes& given, int width, int height, int frame,
+                    Pictures* pictures, const std::function<void(Surface&, std::size_t)>& afterPass) {
+    const auto effects = simulated();
+    const auto all = options(*this, profile, given.shade, width, height, frame);
+    const Choice choice = choose(*this, profile, all, width, height, frame);
+    simulate(effects.value_or(Effects::none()));
+    Cell cell = run(profile, choice.option.axes, width, height, frame, pictures, afterPass);
+    simulate(effects);
+    cell.drawnBy = choice.option.method;
+    cell.method = methodId(given);
+    if (choice.proof == Proof::Drawn)
+        cell.warnings.push_back("exact as it was drawn; a rasteriser that rounds otherwise may be wrong");
+    if (choice.proof == Proof::None)
+        cell.warnings.push_back(
+            fmt::format("no method is exact here; {} is wrong in the fewest pixels", cell.drawnBy));
+    return cell;
+}
+
 Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, int frame, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
+    if (given.automatic) return runChosen(profile, given, width, height, frame, pictures, afterPass);
     m_impl->select({width, height, frame});
     const Axes axes = normalised(given);
     Cell cell;
@@ -520,6 +607,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
     cell.pixels = width * height;
     cell.lights = m_impl->lights();
     cell.fidelity = name(m_impl->fidelity.fidelity);
+    cell.effects = m_impl->effects.value_or(Effects::all());
     try {
         const Plan plan = m_impl->planOf(profile, axes);
         cell.missing = m_impl->missingOf(profile, axes, plan);

@@ -6,9 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "cost/touched.h"
 #include "gl/chip_arithmetic.h"
 #include "gl/renderer.h"
 #include "matrix/cell.h"
+#include "matrix/frame_predictor.h"
 #include "matrix/judge.h"
 #include "needs/minimal_plan.h"
 #include "predict/causes.h"
@@ -41,12 +43,16 @@ class Lab {
     /// Whose arithmetic cells are drawn with from now on; at first OpenGL's.
     void use(const FidelityChoice& choice);
 
-    /// What cells are drawn with from now on, besides what their frames call for; at first with everything.
-    void simulate(const Effects& effects);
+    /// What cells are drawn with from now on, besides what their frames call for. Without a choice, as at
+    /// first, named methods are drawn as they are published, with everything, and automatic ones with what
+    /// their frames call for.
+    void simulate(const std::optional<Effects>& effects);
+    const std::optional<Effects>& simulated() const;
 
     /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
     /// @param afterPass  called with the surface after each pass
     /// A capability violation or OpenGL error makes the cell failed; nothing is thrown for it.
+    /// Automatic axes are chosen first (choice.h); the cell says which they are.
     Cell run(const Profile& profile, const Axes& axes, int width, int height, int frame,
              Pictures* pictures = nullptr,
              const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
@@ -56,6 +62,17 @@ class Lab {
 
     /// The plan of a cell with what its frame calls for, and why.
     MinimalPlan minimalPlan(const Profile& profile, const Axes& axes, int width, int height, int frame);
+
+    /// How deep the volumes of any light may nest in the method's mask.
+    Nesting nesting(const Axes& axes, int width, int height, int frame);
+
+    /// What the mask of a minimal plan will show; of several lights the sums.
+    /// @pre axes count by volumes, and the chip lacks nothing
+    Foreseen foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame);
+
+    /// What a minimal plan touches.
+    TouchedPixels touched(const Profile& profile, const MinimalPlan& minimal, int width, int height,
+                          int frame);
 
     /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
     /// scene.
@@ -72,6 +89,9 @@ class Lab {
     std::vector<Candidate> path(const Profile& profile, int width, int height, int frame);
 
   private:
+    Cell runChosen(const Profile& profile, const Axes& given, int width, int height, int frame,
+                   Pictures* pictures, const std::function<void(Surface&, std::size_t)>& afterPass);
+
     struct Impl;
     std::unique_ptr<Impl> m_impl;
 };

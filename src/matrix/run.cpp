@@ -35,6 +35,7 @@ void runGroup(const MatrixRequest& request, const Group& group,
     }
     for (const FidelityChoice& fidelity : request.fidelities) {
         lab.use(fidelity);
+        lab.simulate(request.effects);
         for (const Axes& axes : request.methods) {
             for (std::size_t p = 0; p < request.profiles.size(); ++p) {
                 Cell cell = lab.run(request.profiles[p], axes, width, height, group.frame);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gl/chip_arithmetic.h"
 #include "matrix/cell.h"
+#include "needs/effects.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
 
@@ -24,6 +26,7 @@ struct MatrixRequest {
     /// the path apart.
     std::vector<int> frames{};
     std::vector<FidelityChoice> fidelities{{}};
+    std::optional<Effects> effects{};  ///< Lab::simulate()
     int jobs = 1;
     int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
 };

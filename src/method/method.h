@@ -29,6 +29,7 @@ struct Axes {
     int maskDivisor = 1;  ///< 1, 2, 4: mask scale 1, 1/2, 1/4
     Apply apply = Apply::Blend;
     Shade shade = Shade::Attenuated;
+    bool automatic = false;  ///< all but the shade is chosen, for each frame and chip
 
     // Options of some points.
     Start start = Start::Zero;  ///< Count: 0, the middle, or (a stencil) the volumes that hold the eye

@@ -134,6 +134,8 @@ const std::vector<NamedMethod>& namedMethods() {
             "destination alpha counts by steps that wrap or clamp; an alpha test tells them apart"),
         row("screen-parity", blended(Screen, Parity), "DOLPHIN PR 10841, 10864: F-Zero GX",
             "faces in front of the surface invert the colour buffer"),
+        row("auto", {.automatic = true}, "gnomon: needs, predict and cost",
+            "for each frame and chip the cheapest of these that is proved exact there"),
     };
     return methods;
 }
@@ -179,6 +181,7 @@ const NamedMethod* findMethod(const std::string& id) {
 }
 
 Axes normalised(Axes axes) {
+    if (axes.automatic) return {.levels = 0, .shade = axes.shade, .automatic = true};
     if (axes.arithmetic != Arithmetic::Double) axes.levels = 0;
     if (axes.store == Store::None) return {.store = Store::None, .levels = 0, .shade = axes.shade};
     if (axes.store != Store::DepthMap) {

@@ -42,4 +42,9 @@ class Effects {
 const std::string& name(Effect);  ///< "lights", "ambient", "volumes", "near-caps", "far-caps", "levels", ...
 std::optional<Effect> effectNamed(const std::string& word);
 
+/// "full", "needed", or what is simulated besides what is needed: "levels,ambient".
+std::string toString(const Effects& effects);
+/// The inverse; nothing for an unknown word.
+std::optional<Effects> effectsFrom(const std::string& words);
+
 }  // namespace gnomon

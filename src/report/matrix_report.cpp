@@ -356,7 +356,8 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                                 "passes_copy",    "pixels",         "tied_truth",
                                 "tied_count",     "wrong_edge",     "wrong_interior",
                                 "unpredicted",    "nesting_fronts", "nesting_overlap",
-                                "nesting_levels", "warnings",       "vertices",
+                                "nesting_levels", "warnings",       "effects",
+                                "drawn_by",       "touched_pixels", "vertices",
                                 "cpu_ms",         "unshadowed_ms",  "digest",
                                 "error"});
     for (const Cell& c : cells) {
@@ -399,6 +400,9 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          number(c.nesting.overlap),
                          number(c.nesting.levels),
                          fmt::format("{}", fmt::join(c.warnings, "; ")),
+                         toString(c.effects),
+                         c.drawnBy,
+                         number(c.touched.total()),
                          number(c.vertices),
                          fmt::format("{:.3f}", c.cpuMs),
                          fmt::format("{:.3f}", c.unshadowedMs),

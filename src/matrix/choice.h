@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "matrix/lab.h"
+
+namespace gnomon {
+
+/// A method that may be chosen for a frame, and what its minimal plan costs.
+struct Option {
+    std::string method{};            ///< named row
+    Axes axes{};                     ///< of the row; doubling has the levels that the frame calls for
+    std::vector<Missing> missing{};  ///< what the chip lacks; then there is no more
+    MinimalPlan plan{};
+    TouchedPixels touched{};
+};
+
+/// All named methods but none, in one shade, cheapest first: by touched pixels, passes, and the order of the
+/// table. Those that the chip can't run come last.
+std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int width, int height, int frame);
+
+/// How sure it is that a chosen method is exact.
+enum class Proof {
+    Predicted,  ///< exact arithmetic shows each untied pixel as truth has it, however a rasteriser rounds
+    Drawn,      ///< it was drawn, and is exact; exact arithmetic can't rule out that it might not be
+    None,       ///< no method is exact; this one is wrong in the fewest pixels
+    Refused,    ///< the chip can run no method
+};
+
+struct Choice {
+    Option option{};  ///< of Refused: the first of the table
+    Proof proof = Proof::Refused;
+    int wrong = 0;  ///< None: untied pixels
+};
+
+/// The cheapest of @p options (sorted, as options() gives them) that is exact in this frame.
+Choice choose(Lab& lab, const Profile& profile, const std::vector<Option>& options, int width, int height,
+              int frame);
+
+}  // namespace gnomon
