@@ -444,7 +444,9 @@ struct Lab::Impl {
         cell.verdict = judgement.interior ? Verdict::Wrong : judgement.edge ? Verdict::Edge : Verdict::Exact;
         surface.makeCurrent();
         cell.digest = digestOf(rendered);
-        if (pictures) pictures->image = rendered.image, pictures->judgement = judgement;
+        if (!pictures) return;
+        pictures->image = rendered.image, pictures->judgement = judgement;
+        pictures->masks = std::move(rendered.masks);
     }
 
     /// Of a frame without lights: there is no mask, and no shadow that it could miss.

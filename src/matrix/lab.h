@@ -22,8 +22,9 @@ namespace gnomon {
 /// The pictures of one cell.
 struct Pictures {
     Image image{};
-    Image mask{};   ///< shadowPicture(); of several lights the average
-    Image truth{};  ///< the same from the tracer
+    Image mask{};                            ///< shadowPicture(); of several lights the average
+    Image truth{};                           ///< the same from the tracer
+    std::vector<std::vector<bool>> masks{};  ///< Rendered::masks: by light; empty of one that was left out
     Judgement judgement{};
     std::vector<Cause> causes{};  ///< by pixel: why it is wrong; of several lights the first that is
 };

@@ -1,0 +1,111 @@
+// A plan with what its frame calls for shows the mask and the image of the full one, to the bit: every scene
+// and hard case, chips of each kind, every method, along the camera path. GNOMON_MINIMAL=all in the
+// environment makes it all chips and frames.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "matrix/choice.h"
+#include "scenes.h"
+
+namespace gnomon {
+namespace {
+
+bool isAll() {
+    const char* wanted = std::getenv("GNOMON_MINIMAL");
+    return wanted && std::string(wanted) == "all";
+}
+
+std::vector<Profile> chips() {
+    if (isAll()) {
+        std::vector<Profile> all;
+        for (const std::string& id : profileIds(kSource / "profiles")) all.push_back(chip(id));
+        return all;
+    }
+    return {chip("ideal"), chip("voodoo2"), chip("ps2"), chip("tnt"), chip("psp-5551")};
+}
+
+std::vector<std::string> sceneNames() {
+    std::vector<std::string> all = sceneIds(kSource / "scenes");
+    for (const std::string& id : hardSceneIds(kSource / "scenes")) all.push_back(id);
+    return all;
+}
+
+struct Shown {
+    Cell cell{};
+    Pictures pictures{};
+};
+
+Shown drawn(Lab& lab, const Effects& effects, const Profile& profile, const Axes& axes, int frame) {
+    Shown shown;
+    lab.simulate(effects);
+    shown.cell = lab.run(profile, axes, 64, 48, frame, &shown.pictures);
+    return shown;
+}
+
+/// Masks of lights that were left out have nothing to be compared with.
+void expectSame(const Shown& full, const Shown& least, const std::string& what) {
+    ASSERT_EQ(full.cell.verdict, least.cell.verdict) << what << ": " << least.cell.error;
+    if (full.cell.verdict == Verdict::Refused) return;
+    ASSERT_NE(full.cell.verdict, Verdict::Failed) << what;
+    EXPECT_TRUE(full.pictures.image.data == least.pictures.image.data) << what << ": image";
+    ASSERT_EQ(full.pictures.masks.size(), least.pictures.masks.size()) << what;
+    for (std::size_t light = 0; light < full.pictures.masks.size(); ++light) {
+        if (least.pictures.masks[light].empty()) continue;
+        EXPECT_TRUE(full.pictures.masks[light] == least.pictures.masks[light])
+            << what << ": mask of " << light;
+    }
+    EXPECT_EQ(least.cell.unpredicted, 0) << what;
+}
+
+class MinimalPlans : public testing::TestWithParam<std::string> {};
+
+TEST_P(MinimalPlans, ShowWhatFullPlansShow) {
+    Lab lab(shippedScene(GetParam()));
+    const int frames = int(lab.scene().frames.size());
+    const int step = isAll() ? 1 : std::max(1, frames / 3);
+    std::int64_t touchedByFull = 0, touchedByLeast = 0;
+    for (int frame = 0; frame < frames; frame += step) {
+        for (const Profile& profile : chips()) {
+            std::set<std::string> digests;
+            for (const NamedMethod& named : namedMethods()) {
+                if (named.axes.automatic) continue;
+                const Shown full = drawn(lab, Effects::all(), profile, named.axes, frame);
+                if (full.cell.verdict == Verdict::Refused) continue;
+                const Shown least = drawn(lab, Effects::none(), profile, named.axes, frame);
+                expectSame(full, least, full.cell.id());
+                touchedByFull += full.cell.touched.total(), touchedByLeast += least.cell.touched.total();
+            }
+        }
+    }
+    EXPECT_LE(touchedByLeast, touchedByFull);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, MinimalPlans, testing::ValuesIn(sceneNames()), [](const auto& test) {
+    std::string name = test.param;
+    for (char& c : name)
+        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
+    return name;
+});
+
+// Each effect by itself, kept though nothing calls for it.
+TEST(MinimalPlan, IsTheFullOneWithAnyEffectsKept) {
+    for (const char* scene : {"boxes", "hard/eye-inside-several", "knot"}) {
+        Lab lab(shippedScene(scene));
+        for (const char* id : {"heidmann", "carmack", "roettger-screen", "roettger-alpha", "screen-texture",
+                               "roettger-half", "counter", "hornus", "eisemann", "parity", "alpha-count"}) {
+            const Shown full = drawn(lab, Effects::all(), chip("ideal"), method(id), 0);
+            for (int effect = 0; effect < kEffects; ++effect) {
+                Effects kept;
+                kept.add(Effect(effect));
+                const Shown least = drawn(lab, kept, chip("ideal"), method(id), 0);
+                expectSame(full, least, fmt::format("{} with {} kept", full.cell.id(), toString(kept)));
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace gnomon
