@@ -18,6 +18,8 @@ class SeenWindow {
 
     const Scene& scene() const { return m_scene; }
     const View& view() const { return m_surfaces.view(); }
+    /// What depths near 1 / @p inverse may be off by, in window depth.
+    double bandOf(double inverse) const { return m_surfaces.bandOf(inverse); }
 
     /// By pixel, rows from the top; the surface that is seen in exact arithmetic first.
     std::span<const Seen> at(std::size_t pixel) const {

@@ -1,0 +1,536 @@
+// A volume holds a point if a lit triangle lies between the point and the light. So what it may hold of a
+// patch is asked of the patch's *beam*, the convex hull of the patch and the light: which lit triangles meet
+// it? Two things make the answer tight:
+//
+// - Points are asked about just before the surface that is seen, nearer by what depths may be off by. There a
+//   lit triangle does not shadow itself, nor its neighbours in the same plane. Between there and the surface
+//   no cap of a volume counts: caps are surfaces, and none is seen before the nearest.
+// - So beside points in shadow only sides matter that come as near to the surface as that. A side does if the
+//   edge that it hangs from meets the beam of the whole patch.
+
+#include "needs/reach.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+#include "volume/clip_space.h"
+#include "volume/near_cap.h"
+
+namespace gnomon {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Of a sum of products, as a share of the sum of their sizes.
+constexpr double kRounding = 1e-12;
+constexpr double kBoxRounding = 1e-12;  ///< of a coordinate
+constexpr double kProductRounding = 4e-15;  ///< of a product of lengths; more than 16 roundings
+
+// Positions from here on are from the eye, homogeneous.
+
+glm::dvec4 finite(const glm::dvec3& p) {
+    return {p, 1};
+}
+
+/// Positive beyond it.
+struct Plane {
+    glm::dvec3 normal{};
+    double height = 0;
+    double normalError = 0, heightError = 0;
+
+    /// On which side the point lies; 0 where rounding hides it.
+    int side(const glm::dvec4& p) const {
+        const double x = normal.x * p.x, y = normal.y * p.y, z = normal.z * p.z, w = height * p.w;
+        const double value = x + y + z + w;
+        const double slack = kRounding * (std::abs(x) + std::abs(y) + std::abs(z) + std::abs(w)) +
+                             normalError * (std::abs(p.x) + std::abs(p.y) + std::abs(p.z)) +
+                             heightError * std::abs(p.w);
+        return value > slack ? 1 : value < -slack ? -1 : 0;
+    }
+    Plane operator-() const { return {-normal, -height, normalError, heightError}; }
+};
+
+/// The plane through a, @p way from there and c; without a normal if they are on one line.
+Plane through(const glm::dvec4& a, const glm::dvec4& way, const glm::dvec4& c) {
+    const glm::dvec3 p(a), q(way), r(c), qr = glm::cross(q, r);
+    const double pSize = glm::length(p), qSize = glm::length(q), rSize = glm::length(r);
+    return {a.w * qr + way.w * glm::cross(r, p) + c.w * glm::cross(p, q), -glm::dot(p, qr),
+            kProductRounding * (a.w * qSize * rSize + std::abs(way.w) * rSize * pSize + c.w * pSize * qSize),
+            kProductRounding * pSize * qSize * rSize};
+}
+
+template <class Points>
+bool allBeyond(const Plane& plane, const Points& points) {
+    return std::all_of(std::begin(points), std::end(points),
+                       [&](const glm::dvec4& p) { return plane.side(p) > 0; });
+}
+template <class Points>
+bool noneBeyond(const Plane& plane, const Points& points) {
+    return std::none_of(std::begin(points), std::end(points),
+                        [&](const glm::dvec4& p) { return plane.side(p) > 0; });
+}
+
+struct Box {
+    glm::dvec3 low{kInfinity}, high{-kInfinity};
+    void include(const glm::dvec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+    void include(const Box& other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
+};
+
+bool isBeyond(const Plane& plane, const Box& box) {
+    const glm::dvec3 nearest(plane.normal.x > 0 ? box.low.x : box.high.x,
+                             plane.normal.y > 0 ? box.low.y : box.high.y,
+                             plane.normal.z > 0 ? box.low.z : box.high.z);
+    return plane.side(finite(nearest)) > 0;
+}
+
+/// The convex hull of a patch and the light.
+class Beam {
+  public:
+    Beam(std::span<const Receivers::Corner> corners, const glm::dvec4& light) : m_light(light) {
+        for (const Receivers::Corner& c : corners) m_front.push_back({c.direction, c.nearer});
+        for (const Receivers::Corner& c : corners) m_all.push_back({c.direction, c.nearer});
+        for (const Receivers::Corner& c : corners) m_all.push_back({c.direction, c.farther});
+        for (const glm::dvec4& p : m_all) bound(p);
+        bound(m_light);
+        const int n = m_front.size();
+        // Through the light and what it sees as the patch's outline.
+        for (int i = 0; i < n; ++i) {
+            const int next = (i + 1) % n;
+            addOutline(m_planes, m_all, m_all[i], m_all[next] - m_all[i]);
+            addOutline(m_planes, m_all, m_all[n + i], m_all[n + next] - m_all[n + i]);
+            addOutline(m_planes, m_all, m_all[i], {0, 0, 0, m_all[n + i].w - m_all[i].w});
+        }
+        // The patch's own faces that the light sees from behind.
+        m_frontPlane = facing(planeOf(0));
+        addFace(facing(planeOf(0)));
+        addFace(facing(planeOf(n)));
+        for (int i = 0; i < n; ++i)
+            addFace(facing({glm::cross(glm::dvec3(m_front[i]), glm::dvec3(m_front[(i + 1) % n])), 0}));
+    }
+
+    bool misses(const Box& box) const {
+        for (int k = 0; k < 3; ++k)
+            if (box.low[k] > m_box.high[k] || box.high[k] < m_box.low[k]) return true;
+        return std::any_of(m_planes.begin(), m_planes.end(),
+                           [&](const Plane& plane) { return isBeyond(plane, box); });
+    }
+
+    /// Whether the lit triangle may come between the light and some point just before a surface.
+    bool isCutBy(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+        const glm::dvec4 corners[3] = {finite(a), finite(b), finite(c)};
+        if (hasBeyond(m_planes, corners)) return false;
+        const glm::dvec4 toC = corners[2] - corners[0];
+        if (allBeyond(through(corners[0], corners[1] - corners[0], toC), m_front)) return false;
+        if (m_frontPlane && allBeyond(*m_frontPlane, corners)) return false;
+        for (int k = 0; k < 3; ++k) {
+            const glm::dvec4 &from = corners[k], &to = corners[(k + 1) % 3];
+            Plane plane = through(from, to - from, m_light);
+            const int inside = plane.side(corners[(k + 2) % 3]);
+            if (inside == 0) continue;
+            if (inside > 0) plane = -plane;
+            if (allBeyond(plane, m_front)) return false;
+        }
+        if (!m_hasFrontPlanes) {
+            m_hasFrontPlanes = true;
+            for (int i = 0; i < m_front.size(); ++i)
+                addOutline(m_frontPlanes, m_front, m_front[i],
+                           m_front[(i + 1) % m_front.size()] - m_front[i]);
+        }
+        if (hasBeyond(m_frontPlanes, corners)) return false;
+        // Normal to an edge of each.
+        for (int i = 0; i < m_front.size(); ++i)
+            for (int k = 0; k < 3; ++k)
+                if (partsAlong(m_front, m_front[i], m_front[(i + 1) % m_front.size()],
+                               corners[(k + 1) % 3] - corners[k], corners))
+                    return false;
+        return true;
+    }
+
+    /// Whether the side that hangs from the edge may come as near to a surface as depths may be off by.
+    bool isTouchedFrom(const glm::dvec3& from, const glm::dvec3& to) const {
+        const glm::dvec4 ends[2] = {finite(from), finite(to)};
+        if (hasBeyond(m_planes, ends)) return false;
+        const Plane plane = through(ends[0], ends[1] - ends[0], m_light);
+        if (allBeyond(plane, m_all) || allBeyond(-plane, m_all)) return false;
+        const int n = m_front.size();
+        for (int i = 0; i < n; ++i) {
+            const int next = (i + 1) % n;
+            for (const auto& [a, b] :
+                 {std::pair(i, next), std::pair(n + i, n + next), std::pair(i, n + i)})
+                if (partsAlong(m_all, m_all[a], m_all[b], ends[1] - ends[0], ends)) return false;
+        }
+        return true;
+    }
+
+  private:
+    void bound(const glm::dvec4& p) {
+        for (int k = 0; k < 3; ++k) {
+            const double at = p.w > 0 ? p[k] / p.w : std::copysign(kInfinity, p[k]), slack = kBoxRounding * std::abs(at);
+            if (p.w == 0 && p[k] == 0) continue;
+            m_box.low[k] = std::min(m_box.low[k], at - slack);
+            m_box.high[k] = std::max(m_box.high[k], at + slack);
+        }
+    }
+
+    /// Of the patch's near or far polygon.
+    Plane planeOf(int first) const {
+        const int n = m_front.size();
+        const glm::dvec4 &a = m_all[first], &b = m_all[first + n / 3], &c = m_all[first + 2 * n / 3];
+        return through(a, b - a, c - a);
+    }
+
+    /// The plane turned so that the light is not beyond it; nothing if it lies in it.
+    std::optional<Plane> facing(const Plane& plane) const {
+        const int side = plane.side(m_light);
+        if (side == 0) return {};
+        return side > 0 ? -plane : plane;
+    }
+
+    void addFace(const std::optional<Plane>& plane) {
+        if (plane && noneBeyond(*plane, m_all)) m_planes.push_back(*plane);
+    }
+
+    template <class Planes, class Points>
+    void addOutline(Planes& planes, const Points& points, const glm::dvec4& from, const glm::dvec4& way) {
+        const Plane plane = through(from, way, m_light);
+        if (noneBeyond(plane, points)) planes.push_back(plane);
+        if (noneBeyond(-plane, points)) planes.push_back(-plane);
+    }
+
+    /// Whether the plane through a and b along @p way has all of @p others beyond, and nothing of the beam of
+    /// @p points.
+    template <class Points, class Others>
+    bool partsAlong(const Points& points, const glm::dvec4& a, const glm::dvec4& b, const glm::dvec4& way,
+                    const Others& others) const {
+        const Plane plane = through(a, b - a, way);
+        for (const Plane& one : {plane, -plane})
+            if (allBeyond(one, others) && one.side(m_light) <= 0 && noneBeyond(one, points)) return true;
+        return false;
+    }
+
+    template <class Planes, class Points>
+    static bool hasBeyond(const Planes& planes, const Points& points) {
+        return std::any_of(planes.begin(), planes.end(),
+                           [&](const Plane& plane) { return allBeyond(plane, points); });
+    }
+
+    glm::dvec4 m_light;
+    Few<glm::dvec4, 8> m_front{};
+    Few<glm::dvec4, 16> m_all{};  ///< the near corners, then the far ones
+    Box m_box{};
+    Few<Plane, 58> m_planes{};    ///< of the beam of the whole patch
+    std::optional<Plane> m_frontPlane{};
+    Few<Plane, 16> m_frontPlanes{};  ///< of the beam of the near polygon, made when first asked for
+    bool m_hasFrontPlanes = false;
+};
+
+/// Boxes in a binary tree.
+class Tree {
+  public:
+    explicit Tree(std::vector<Box> boxes) : m_boxes(std::move(boxes)), m_items(m_boxes.size()) {
+        std::iota(m_items.begin(), m_items.end(), 0u);
+        if (!m_items.empty()) split(0, std::uint32_t(m_items.size()));
+    }
+
+    /// Calls @p visit with each item whose box the beam may meet, until it returns true; whether it did.
+    template <class Visit>
+    bool find(const Beam& beam, const Visit& visit) const {
+        if (m_nodes.empty()) return false;
+        std::uint32_t open[64];
+        int count = 0;
+        open[count++] = 0;
+        while (count > 0) {
+            const Node& node = m_nodes[open[--count]];
+            if (beam.misses(node.box)) continue;
+            if (node.second != 0) {
+                open[count++] = node.second;
+                open[count++] = std::uint32_t(&node - m_nodes.data()) + 1;
+                continue;
+            }
+            for (std::uint32_t i = node.begin; i < node.end; ++i)
+                if (visit(m_items[i])) return true;
+        }
+        return false;
+    }
+
+  private:
+    static constexpr std::uint32_t kLeaf = 4;
+
+    struct Node {
+        Box box{};
+        std::uint32_t begin = 0, end = 0;
+        std::uint32_t second = 0;  ///< child; the first one follows its parent. 0: a leaf
+    };
+
+    void split(std::uint32_t begin, std::uint32_t end) {
+        const std::size_t at = m_nodes.size();
+        m_nodes.emplace_back();
+        Box box, middles;
+        for (std::uint32_t i = begin; i < end; ++i) {
+            const Box& one = m_boxes[m_items[i]];
+            box.include(one);
+            middles.include(one.low + one.high);
+        }
+        m_nodes[at] = {box, begin, end, 0};
+        if (end - begin <= kLeaf) return;
+        const glm::dvec3 size = middles.high - middles.low;
+        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+        const std::uint32_t middle = begin + (end - begin) / 2;
+        std::nth_element(m_items.begin() + begin, m_items.begin() + middle, m_items.begin() + end,
+                         [&](std::uint32_t a, std::uint32_t b) {
+                             return m_boxes[a].low[axis] + m_boxes[a].high[axis] <
+                                    m_boxes[b].low[axis] + m_boxes[b].high[axis];
+                         });
+        split(begin, middle);
+        m_nodes[at].second = std::uint32_t(m_nodes.size());
+        split(middle, end);
+    }
+
+    std::vector<Box> m_boxes;
+    std::vector<std::uint32_t> m_items;
+    std::vector<Node> m_nodes{};
+};
+
+/// One volume: the triangles that cap it and the edges that its sides hang from.
+class Volume {
+  public:
+    Volume(const Scene& scene, std::uint32_t object, std::span<const glm::uvec3> caps,
+           std::span<const Side> sides, const glm::dvec3& eye)
+        : m_mesh(&scene.objects[object].mesh), m_object(object), m_caps(caps), m_sides(sides), m_eye(eye) {
+        for (const glm::uvec3& t : caps)
+            for (int k = 0; k < 3; ++k) m_box.include(at(t[k]));
+    }
+
+    const Box& box() const { return m_box; }
+    std::span<const glm::uvec3> caps() const { return m_caps; }
+    glm::dvec3 at(std::uint32_t vertex) const { return glm::dvec3(m_mesh->positions[vertex]) - m_eye; }
+
+    /// As frameVolumes() makes a caster of it.
+    LitCaster caster() const {
+        return {.object = m_object,
+                .lit = {m_caps.begin(), m_caps.end()},
+                .sides = {m_sides.begin(), m_sides.end()}};
+    }
+
+    /// Whether it may hold something of the patch, or touch it.
+    bool reaches(Beam& beam) {
+        const std::size_t parts = m_caps.size() + m_sides.size();
+        constexpr std::size_t kFew = 8;
+        if (parts <= kFew) {
+            for (std::uint32_t i = 0; i < parts; ++i)
+                if (reaches(beam, i)) return true;
+            return false;
+        }
+        // Most volumes of a large scene are never asked.
+        if (!m_tree) m_tree = std::make_unique<Tree>(boxes());
+        return m_tree->find(beam, [&](std::uint32_t i) { return reaches(beam, i); });
+    }
+
+  private:
+    /// @p part  a cap, or after all of them a side
+    bool reaches(Beam& beam, std::uint32_t part) const {
+        if (part < m_caps.size()) {
+            const glm::uvec3& t = m_caps[part];
+            return beam.isCutBy(at(t.x), at(t.y), at(t.z));
+        }
+        const Side& side = m_sides[part - m_caps.size()];
+        return beam.isTouchedFrom(at(side.from), at(side.to));
+    }
+
+    std::vector<Box> boxes() const {
+        std::vector<Box> boxes;
+        boxes.reserve(m_caps.size() + m_sides.size());
+        for (const glm::uvec3& t : m_caps) {
+            boxes.emplace_back();
+            for (int k = 0; k < 3; ++k) boxes.back().include(at(t[k]));
+        }
+        for (const Side& side : m_sides) {
+            boxes.emplace_back();
+            boxes.back().include(at(side.from));
+            boxes.back().include(at(side.to));
+        }
+        return boxes;
+    }
+
+    const Mesh* m_mesh;
+    std::uint32_t m_object;
+    std::span<const glm::uvec3> m_caps;
+    std::span<const Side> m_sides;
+    glm::dvec3 m_eye;
+    Box m_box{};
+    std::unique_ptr<Tree> m_tree{};
+};
+
+std::vector<Volume> volumes(const Scene& scene, std::span<const LitCaster> lit, const glm::dvec3& eye) {
+    std::vector<Volume> out;
+    for (const LitCaster& caster : lit) {
+        if (caster.lit.empty()) continue;
+        if (!caster.perTriangle) {
+            out.emplace_back(scene, caster.object, caster.lit, caster.sides, eye);
+            continue;
+        }
+        for (std::size_t i = 0; i < caster.lit.size(); ++i)
+            out.emplace_back(scene, caster.object, std::span(&caster.lit[i], 1),
+                             std::span(caster.sides).subspan(3 * i, 3), eye);
+    }
+    return out;
+}
+
+bool holds(const WindowRect& outer, const WindowRect& inner) {
+    return !outer.empty() && outer.x <= inner.x && outer.y <= inner.y &&
+           inner.x + inner.width <= outer.x + outer.width && inner.y + inner.height <= outer.y + outer.height;
+}
+
+std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& light,
+                                  const Receivers& receivers) {
+    std::vector<Box> boxes;
+    for (const Volume& volume : all) boxes.push_back(volume.box());
+    const Tree tree(std::move(boxes));
+    std::vector<WindowRect> windows(all.size());
+    // In leaps over the window, so that rectangles grow early: what they hold is not asked again.
+    const std::size_t count = receivers.patches().size();
+    std::size_t leap = std::size_t(0.618 * double(count)) + 1;
+    while (std::gcd(leap, count) != 1) ++leap;
+    for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + leap) % count) {
+        const Receivers::Patch& patch = receivers.patches()[at];
+        Beam beam(receivers.corners(patch), light);
+        tree.find(beam, [&](std::uint32_t v) {
+            if (!holds(windows[v], patch.pixels) && all[v].reaches(beam))
+                windows[v] = windows[v].empty() ? patch.pixels : around(windows[v], patch.pixels);
+            return false;
+        });
+    }
+    return windows;
+}
+
+/// The near rectangle.
+struct NearRectangle {
+    std::array<glm::dvec3, 4> corners{};
+    glm::dvec3 centre{}, right{}, up{}, forward{};
+
+    explicit NearRectangle(const View& view) : right(view.right), up(view.up), forward(view.forward) {
+        const glm::dvec3 x = view.nearPlane * view.tanHalfX * right, y = view.nearPlane * view.tanHalfY * up;
+        centre = view.nearPlane * forward;
+        corners = {centre - x - y, centre + x - y, centre + x + y, centre - x + y};
+    }
+};
+
+/// A lower bound of the distance between the rectangle and the convex hull of points that are extruded from
+/// the light; 0 or less if none is found. Of all directions in which two convex polyhedra that do not meet
+/// can be told apart, one is always the normal of a face or normal to an edge of each.
+double gapBetween(const NearRectangle& rectangle, std::span<const glm::dvec3> points,
+                  std::span<const glm::dvec3> edges, std::span<const glm::dvec3> normals,
+                  const glm::dvec4& light) {
+    std::array<glm::dvec3, 8> rays{};
+    double size = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        rays[i] = points[i] * light.w - glm::dvec3(light);
+        size = std::max(size, glm::length(points[i]));
+    }
+    double widest = 0;
+    const auto tryOne = [&](const glm::dvec3& direction) {
+        const double length = glm::length(direction);
+        if (length == 0) return;
+        const glm::dvec3 n = direction / length;
+        double nearest = kInfinity, farthest = -kInfinity;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (glm::dot(n, rays[i]) < -1e-14 * glm::length(rays[i])) return;
+            nearest = std::min(nearest, glm::dot(n, points[i]));
+        }
+        for (const glm::dvec3& corner : rectangle.corners)
+            farthest = std::max(farthest, glm::dot(n, corner));
+        widest = std::max(widest, nearest - farthest);
+    };
+    const auto tryBoth = [&](const glm::dvec3& direction) { tryOne(direction), tryOne(-direction); };
+    tryBoth(rectangle.forward), tryBoth(rectangle.right), tryBoth(rectangle.up);
+    for (const glm::dvec3& normal : normals) tryBoth(normal);
+    for (const glm::dvec3& edge : edges) {
+        tryBoth(glm::cross(edge, rectangle.right)), tryBoth(glm::cross(edge, rectangle.up));
+        for (std::size_t i = 0; i < points.size(); ++i) tryBoth(glm::cross(edge, rays[i]));
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        tryBoth(glm::cross(rays[i], rectangle.right)), tryBoth(glm::cross(rays[i], rectangle.up));
+        tryOne(points[i] - rectangle.centre);  // not needed to tell them apart, but often wider
+        for (const glm::dvec3& corner : rectangle.corners) tryOne(points[i] - corner);
+    }
+    return widest - kRounding * (size + glm::length(rectangle.corners[0]));
+}
+
+double nearDistance(const Scene& scene, const Volume& volume, const glm::vec4& light,
+                    const glm::dvec4& fromEye, const View& view) {
+    if (touchesNearRectangle(scene, volume.caster(), light, view)) return 0;
+    const NearRectangle rectangle(view);
+    const std::array<glm::dvec3, 3> axes{glm::dvec3(1, 0, 0), glm::dvec3(0, 1, 0), glm::dvec3(0, 0, 1)};
+    std::array<glm::dvec3, 8> box;
+    for (int i = 0; i < 8; ++i)
+        for (int k = 0; k < 3; ++k)
+            box[std::size_t(i)][k] = (i >> k) & 1 ? volume.box().high[k] : volume.box().low[k];
+    const double gap = gapBetween(rectangle, box, axes, axes, fromEye);
+    if (gap > 0) return gap;
+    // The volume itself, as all that its triangles hide.
+    double nearest = kInfinity;
+    for (const glm::uvec3& t : volume.caps()) {
+        const std::array<glm::dvec3, 3> p{volume.at(t.x), volume.at(t.y), volume.at(t.z)};
+        const std::array<glm::dvec3, 3> edges{p[1] - p[0], p[2] - p[1], p[0] - p[2]};
+        const std::array<glm::dvec3, 1> normal{glm::cross(edges[0], edges[1])};
+        nearest = std::min(nearest, gapBetween(rectangle, p, edges, normal, fromEye));
+    }
+    // They do not meet, for the test above is certain; but how far they are apart is lost in rounding.
+    return std::max(nearest, std::numeric_limits<double>::min());
+}
+
+}  // namespace
+
+Reach reachOf(const Scene& scene, std::span<const LitCaster> lit, const glm::vec4& light, const View& view,
+              const Receivers& receivers) {
+    std::vector<Volume> all = volumes(scene, lit, view.eye);
+    const glm::dvec4 fromEye(glm::dvec3(light) - double(light.w) * view.eye, light.w);
+    Reach reach{.windows = windowsOf(all, fromEye, receivers)};
+    for (const Volume& volume : all)
+        reach.nearDistances.push_back(nearDistance(scene, volume, light, fromEye, view));
+    return reach;
+}
+
+double surfaceDistance(const Scene& scene, const View& view) {
+    // The view's pyramid and a pixel more, in eye space with z forward.
+    const double limitX = view.tanHalfX * (1 + 2.0 / view.width),
+                 limitY = view.tanHalfY * (1 + 2.0 / view.height);
+    const std::array<glm::dvec3, 4> borders{glm::dvec3(-1, 0, limitX), glm::dvec3(1, 0, limitX),
+                                            glm::dvec3(0, -1, limitY), glm::dvec3(0, 1, limitY)};
+    const double near = view.nearPlane * (1 - kRounding);
+    double nearest = kInfinity;
+    std::vector<glm::dvec3> polygon, kept;
+    for (const Object& object : scene.objects) {
+        for (const glm::uvec3& t : object.mesh.triangles) {
+            polygon.clear();
+            for (int k = 0; k < 3; ++k) {
+                const glm::dvec3 p = glm::dvec3(object.mesh.positions[t[k]]) - view.eye;
+                polygon.emplace_back(glm::dot(p, view.right), glm::dot(p, view.up),
+                                     glm::dot(p, view.forward));
+            }
+            const auto [low, high] = std::minmax({polygon[0].z, polygon[1].z, polygon[2].z});
+            if (high < near || low >= nearest) continue;
+            for (const glm::dvec3& border : borders) {
+                kept.clear();
+                for (std::size_t i = 0; i < polygon.size(); ++i) {
+                    const glm::dvec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+                    const double atA = glm::dot(border, a), atB = glm::dot(border, b);
+                    if (atA >= 0) kept.push_back(a);
+                    if ((atA >= 0) != (atB >= 0)) kept.push_back((atA * b - atB * a) / (atA - atB));
+                }
+                polygon.swap(kept);
+            }
+            // What lies before the near plane is not drawn; what reaches across is cut there.
+            double least = kInfinity, most = -kInfinity;
+            for (const glm::dvec3& p : polygon) least = std::min(least, p.z), most = std::max(most, p.z);
+            if (most >= near) nearest = std::min(nearest, std::max(least * (1 - kRounding), view.nearPlane));
+        }
+    }
+    return nearest - view.nearPlane;
+}
+
+}  // namespace gnomon
