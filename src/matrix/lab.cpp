@@ -266,9 +266,9 @@ struct Lab::Impl {
         }
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto brightestOf = [](const std::vector<VertexColour>& colours) {
+        const auto brightestOf = [](const std::vector<VertexColour>& shades) {
             int most = 0;
-            for (const VertexColour& c : colours) most = std::max({most, int(c.r), int(c.g), int(c.b)});
+            for (const VertexColour& c : shades) most = std::max({most, int(c.r), int(c.g), int(c.b)});
             return most;
         };
         FrameNeeds all;
