@@ -47,7 +47,7 @@ int run(const Options& options) {
     for (const Axes& axes : methods) {
         const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
         std::vector<std::string> terms;
-        for (const Pass& pass : plan.passes) terms.push_back(chipTerms(pass, profile));
+        for (const Pass& pass : plan.passes) terms.push_back(chipTerms(pass, profile, plan));
         sheets.push_back({methodId(axes), name(axes.shade), profile.id, lab.scene().id, options.frame, plan,
                           lab.missingFor(profile, axes, plan), std::move(terms)});
     }

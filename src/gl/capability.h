@@ -28,7 +28,8 @@ struct CapabilityViolation : std::runtime_error {
 /// colour, alpha factors while alpha is written, alpha writes beside depth. The initial colour mask asks for
 /// nothing: only a mask that the caller has set counts as writing alpha. Not restricted: culling, which a
 /// driver does on the host where the chip can't (Glide on the signed area, the vector units of a PlayStation
-/// 2); read-back; the number of vertices.
+/// 2); read-back; the number of vertices; the scissor, which is as old as OpenGL: what a chip's own rectangle
+/// can't bound, a driver clips.
 GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable next);
 
 }  // namespace gnomon

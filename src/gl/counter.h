@@ -19,7 +19,8 @@ struct CallCounts {
 ///
 /// A pass is a run of draws of one kind with no state call between them. Kinds are told apart by the calls
 /// alone: four vertices that cover the whole viewport are a rectangle, a copy to a texture is a copy, faces
-/// in one constant colour that leave the depth buffer alone are volumes, and all else is the scene.
+/// in one constant colour that leave the depth buffer alone are volumes, and all else is the scene. A
+/// scissor's place goes with the geometry: another one within a run does not end it.
 class Counter {
   public:
     /// The entry points of @p next, counted.

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <ctime>
 #include <map>
+#include <optional>
 #include <stdexcept>
 
 #include "gl/capability.h"
@@ -89,6 +91,9 @@ class PassRunner {
                 gl.Viewport(0, 0, 1, 1);
                 break;
         }
+        const auto bound = scissorOf(pass, m_plan.windows);
+        turn(GL_SCISSOR_TEST, m_scissorTest, bound.has_value());
+        if (bound) scissor(*bound);
         switch (pass.kind) {
             case PassKind::Clear:
                 clear(pass);
@@ -122,6 +127,7 @@ class PassRunner {
         stencilMask(~0u);
         turn(GL_COLOR_LOGIC_OP, m_logicOp, false);
         turn(GL_ALPHA_TEST, m_alphaTest, false);
+        turn(GL_SCISSOR_TEST, m_scissorTest, false);
     }
 
   private:
@@ -220,6 +226,8 @@ class PassRunner {
         } else if (pass.drawn == Drawn::Silhouettes) {
             m_blockers = m_programs.drawSilhouettes(light.silhouettes, m_plan.clip);
             m_programs.useNone();
+        } else if (pass.extent == Extent::Volumes && pass.volume == kAllVolumes) {
+            eachInItsWindow(pass, *light.volumes);
         } else {
             for (int part = 0; part < kParts; ++part)
                 if (pass.parts.has(Part(part)))
@@ -229,6 +237,27 @@ class PassRunner {
         }
         if (pass.program == Program::CountFaces) m_programs.useNone();
         if (pass.depthClamp) gl.Disable(GL_DEPTH_CLAMP);
+    }
+
+    /// All volumes, each under its own scissor; neighbours that share one are drawn at once.
+    void eachInItsWindow(const Pass& pass, const FrameVolumes& volumes) {
+        const std::vector<WindowRect>& windows = m_plan.windows[std::size_t(pass.light)].volumes;
+        assert(windows.size() == volumes.size());
+        bool drawsAny = false;
+        std::size_t first = 0, end = 0;
+        for (; first < windows.size(); first = end) {
+            for (end = first + 1; end < windows.size() && windows[end] == windows[first];) ++end;
+            if (windows[first].empty()) continue;
+            scissor(windows[first]);
+            for (int part = 0; part < kParts; ++part) {
+                if (!pass.parts.has(Part(part))) continue;
+                const FrameVolumes::Runs& runs = volumes.parts[std::size_t(part)];
+                draw(std::span(runs.vertices)
+                         .subspan(runs.begins[first], runs.begins[end] - runs.begins[first]));
+            }
+            drawsAny = true;
+        }
+        if (!drawsAny) draw({});
     }
 
     void rectangle(const Pass& pass) {
@@ -320,6 +349,13 @@ class PassRunner {
         if (mask != m_stencilMask) gl.StencilMask(m_stencilMask = mask);
     }
 
+    /// @param part  of the target; an empty one lets nothing through
+    void scissor(const WindowRect& part) {
+        if (m_scissor == part) return;
+        gl.Scissor(part.x, part.y, std::max(part.width, 0), std::max(part.height, 0));
+        m_scissor = part;
+    }
+
     void turn(GLenum what, bool& is, bool on) {
         if (is == on) return;
         on ? gl.Enable(what) : gl.Disable(what);
@@ -374,8 +410,9 @@ class PassRunner {
     Programs m_programs;
     BlendEquation m_equation = BlendEquation::Add;
     unsigned m_stencilMask = ~0u;
-    bool m_logicOp = false, m_alphaTest = false;
-    int m_blockers = 0;  ///< what hides the eye, as the light counted last
+    bool m_logicOp = false, m_alphaTest = false, m_scissorTest = false;
+    std::optional<WindowRect> m_scissor{};  ///< none before the first
+    int m_blockers = 0;                     ///< what hides the eye, as the light counted last
     CopiedTexture m_mask{}, m_frame{};
     GLuint m_framebuffer = 0;
     std::map<std::pair<int, int>, GLuint> m_maps{};  ///< by light and face
@@ -384,7 +421,7 @@ class PassRunner {
 /// Back to OpenGL's defaults, past all decorators.
 void resetState(const GlTable& gl) {
     for (const GLenum what : {GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_CULL_FACE, GL_TEXTURE_2D,
-                              GL_DEPTH_CLAMP, GL_ALPHA_TEST, GL_COLOR_LOGIC_OP})
+                              GL_DEPTH_CLAMP, GL_ALPHA_TEST, GL_COLOR_LOGIC_OP, GL_SCISSOR_TEST})
         gl.Disable(what);
     gl.UseProgram(0);
     gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -438,8 +475,8 @@ MaskValues readMaskTexture(Surface& surface, const Plan& plan, PassRunner& runne
     return values;
 }
 
-/// The mask as it stands.
-MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
+/// The mask as it stands in its buffer, or as its texture goes over the scene.
+MaskValues readDrawnMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
     switch (tap.place) {
         case MaskPlace::Stencil:
             return channelOf(readStencil(surface), 0);
@@ -455,6 +492,21 @@ MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, Pass
             break;
     }
     return MaskValues(std::size_t(plan.width) * plan.height);
+}
+
+/// The mask, with what stands for pixels that the plan draws none for.
+/// @pre a plan that leaves pixels out has a mask as large as the window
+MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
+    MaskValues values = readDrawnMask(surface, plan, tap, runner);
+    if (tap.outside < 0) return values;
+    assert(plan.maskWidth == plan.width && plan.maskHeight == plan.height);
+    const WindowRect& drawn = plan.windows[std::size_t(tap.light)].all;
+    for (int y = 0; y < plan.height; ++y)
+        for (int x = 0; x < plan.width; ++x)
+            if (!drawn.holds(x, plan.height - 1 - y))
+                values[std::size_t(y) * std::size_t(plan.width) + std::size_t(x)] =
+                    std::uint16_t(tap.outside);
+    return values;
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ GlTable loadDriver() {
     load(gl.PixelStorei, "glPixelStorei");
     load(gl.Enable, "glEnable");
     load(gl.Disable, "glDisable");
+    load(gl.Scissor, "glScissor");
     load(gl.DepthFunc, "glDepthFunc");
     load(gl.DepthMask, "glDepthMask");
     load(gl.AlphaFunc, "glAlphaFunc");

@@ -25,6 +25,7 @@ struct GlTable {
 
     // Tests
     Call<GLenum> Enable{}, Disable{};
+    Call<GLint, GLint, GLsizei, GLsizei> Scissor{};
     Call<GLenum> DepthFunc{};
     Call<GLboolean> DepthMask{};
     Call<GLenum, GLfloat> AlphaFunc{};

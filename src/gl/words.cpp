@@ -72,6 +72,8 @@ std::optional<StencilOp> stencilOpOf(GLenum v) {
 
 std::string enumName(GLenum value) {
     switch (value) {
+        case GL_SCISSOR_TEST:
+            return "GL_SCISSOR_TEST";
         case GL_DEPTH_TEST:
             return "GL_DEPTH_TEST";
         case GL_STENCIL_TEST:

@@ -490,14 +490,34 @@ Terms termsOf(const Pass& pass, const Profile& profile) {
     }
 }
 
+/// The rectangle that bounds a pass; rows from the top, as these chips count them. Nothing for a whole pass,
+/// and for chips of which the words are not known.
+std::string scissorTerms(const Pass& pass, const Profile& profile, const Plan& plan) {
+    const BlendUnit unit = profile.blendUnit();
+    const bool gs = unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
+    if (plan.windows.empty() || (!gs && unit != BlendUnit::Psx)) return "";
+    const auto part = scissorOf(pass, plan.windows);
+    if (!part || part->empty()) return "";
+    const char* name = gs ? "SCISSOR" : "drawing area";
+    if (pass.extent == Extent::Volumes && pass.volume == kAllVolumes)
+        return fmt::format("{} of each volume", name);
+    const int top = plan.height - part->y - part->height;
+    return gs ? fmt::format("{} X0={} X1={} Y0={} Y1={}", name, part->x, part->x + part->width - 1, top,
+                            top + part->height - 1)
+              : fmt::format("{} {},{} {}x{}", name, part->x, top, part->width, part->height);
+}
+
 }  // namespace
 
-std::string chipTerms(const Pass& pass, const Profile& profile) {
+std::string chipTerms(const Pass& pass, const Profile& profile, const Plan& plan) {
     if (pass.kind == PassKind::Clear) return "";
     // A copy's texture is the plan's matter.
     const bool lacks = pass.kind != PassKind::Copy && !missing(profile, {.passes = {pass}}).empty();
-    const Terms terms = lacks ? std::nullopt : termsOf(pass, profile);
-    return terms ? fmt::format("{}", fmt::join(*terms, ", ")) : "";
+    Terms terms = lacks ? std::nullopt : termsOf(pass, profile);
+    if (!terms) return "";
+    if (const std::string scissor = scissorTerms(pass, profile, plan); !scissor.empty())
+        terms->push_back(scissor);
+    return fmt::format("{}", fmt::join(*terms, ", "));
 }
 
 }  // namespace gnomon

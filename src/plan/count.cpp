@@ -11,6 +11,13 @@ WindowRect around(const WindowRect& a, const WindowRect& b) {
     return {x, y, std::max(a.x + a.width, b.x + b.width) - x, std::max(a.y + a.height, b.y + b.height) - y};
 }
 
+std::optional<WindowRect> scissorOf(const Pass& pass, std::span<const MaskWindow> windows) {
+    if (pass.extent == Extent::Whole || pass.kind == PassKind::Copy) return std::nullopt;
+    const MaskWindow& window = windows[std::size_t(pass.light)];
+    const bool ofOne = pass.extent == Extent::Volumes && pass.volume != kAllVolumes;
+    return ofOne ? window.volumes[std::size_t(pass.volume)] : window.all;
+}
+
 PassCounts countPasses(const Plan& plan) {
     PassCounts counts;
     for (const Pass& pass : plan.passes) {

@@ -87,14 +87,28 @@ const char* describeTarget(const Pass& pass) {
                                              : nullptr;
 }
 
+/// Nothing for a pass that is not bounded.
+std::string describeScissor(const Pass& pass, std::span<const MaskWindow> windows) {
+    if (pass.extent == Extent::Whole || pass.kind == PassKind::Copy) return "";
+    const bool ofEach = pass.extent == Extent::Volumes && pass.volume == kAllVolumes;
+    if (windows.empty()) return ofEach ? "scissor of each volume" : "scissor";
+    const WindowRect part = *scissorOf(pass, windows);
+    if (part.empty()) return "empty scissor";
+    return fmt::format("scissor {}{},{} {}x{}", ofEach ? "of each volume within " : "", part.x, part.y,
+                       part.width, part.height);
+}
+
 }  // namespace
 
-std::string describeState(const Pass& pass) {
-    if (pass.kind == PassKind::Clear) return describeClear(pass);
-    if (pass.kind == PassKind::Copy) return describeCopy(pass);
+std::string describeState(const Pass& pass, std::span<const MaskWindow> windows) {
     std::vector<std::string> parts;
     const auto add = [&](const std::string& part) { parts.push_back(part); };
+    const std::string scissor = describeScissor(pass, windows);
+    if (pass.kind == PassKind::Copy) return describeCopy(pass);
+    if (pass.kind == PassKind::Clear)
+        return scissor.empty() ? describeClear(pass) : fmt::format("{}, {}", scissor, describeClear(pass));
     if (const char* target = describeTarget(pass)) add(target);
+    if (!scissor.empty()) add(scissor);
     if (pass.depthTest)
         add(fmt::format("depth {}{}", upper(name(pass.depthFunction)), pass.depthWrite ? " write" : ""));
     if (pass.depthClamp) add("depth clamp");

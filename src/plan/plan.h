@@ -3,6 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <glm/glm.hpp>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -245,8 +247,16 @@ std::int64_t frameBytes(const Profile& profile, int width, int height);
 /// @param reference  of a stencil: the value of what is lit
 bool isShadow(const Plan& plan, const MaskTap& tap, double value, int reference);
 
-/// One line in OpenGL's terms: "depth LEQUAL, blend DST_COLOR ONE, colour 1 1 1, write RGB".
-std::string describeState(const Pass& pass);
+/// One line in OpenGL's terms: "scissor 12,40 96x64, depth LEQUAL, blend DST_COLOR ONE, colour 1, write RGB".
+///
+/// @param windows  the plan's; without them a scissor is said to be there, but not where
+std::string describeState(const Pass& pass, std::span<const MaskWindow> windows = {});
+
+/// The part of its target that @p pass may change; of Extent::Volumes over many volumes the part around all
+/// of theirs. Nothing for a pass that is not bounded: a whole one, and any copy.
+///
+/// @param windows  of the pass's plan
+std::optional<WindowRect> scissorOf(const Pass& pass, std::span<const MaskWindow> windows);
 
 /// Whether @p value passes a test of @p function against @p reference.
 bool passes(Compare function, float value, float reference);

@@ -4,6 +4,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace gnomon {
@@ -13,7 +14,9 @@ constexpr int kCounterValues = 1 << 16;
 
 /// The passes that make one mask.
 struct Run {
-    std::size_t first = 0, last = 0;    ///< of the plan's passes
+    std::size_t first = 0, last = 0;  ///< of the plan's passes
+    std::size_t start =
+        0;  ///< the clear from which volumes count; first, unless it clears a part of the mask
     MaskPlace place = MaskPlace::None;  ///< Stencil, Counter, Colour or Alpha
 };
 
@@ -40,13 +43,18 @@ Run runOf(const Plan& plan, const MaskTap& tap) {
         run.place =
             plan.passes[run.last].texture == MaskTexture::Alpha ? MaskPlace::Alpha : MaskPlace::Colour;
     }
-    run.first = run.last;
     const auto starts = [&](const Pass& pass) {
         return pass.kind == PassKind::Clear && writesMask(pass, run.place) &&
                (run.place != MaskPlace::Stencil || (pass.stencil.writeMask & 0xffu) == 0xffu);
     };
-    while (run.first > 0 && !starts(plan.passes[run.first - 1])) --run.first;
-    if (run.first > 0) --run.first;
+    const auto clearBefore = [&](std::size_t pass) {
+        while (pass > 0 && !starts(plan.passes[pass - 1])) --pass;
+        return pass > 0 ? pass - 1 : 0;
+    };
+    run.first = run.start = clearBefore(run.last);
+    // What a bounded clear leaves was cleared before, if it is asked for.
+    while (tap.outside < 0 && run.first > 0 && plan.passes[run.first].extent != Extent::Whole)
+        run.first = clearBefore(run.first);
     return run;
 }
 
@@ -76,6 +84,57 @@ void makeSet(Values& values) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
 
+/// The rectangles that bound a light's passes, on the pixels that are predicted: those of the mask, or of the
+/// window where a mask of fewer pixels is explained; then they hold all that the mask's may hold.
+class Bounds {
+  public:
+    Bounds() = default;
+    Bounds(const Plan& plan, int light, const Crossings& crossings) {
+        for (const MaskWindow& window : plan.windows)
+            m_shadows.push_back(stretched(window.all, plan, crossings));
+        for (const WindowRect& window : plan.windows[std::size_t(light)].volumes)
+            m_volumes.push_back(stretched(window, plan, crossings));
+        m_columns = runs(crossings.width, [](const WindowRect& r) { return std::pair(r.x, r.x + r.width); });
+        m_rows = runs(crossings.height, [](const WindowRect& r) { return std::pair(r.y, r.y + r.height); });
+    }
+
+    /// By light
+    const WindowRect& shadows(int light) const { return m_shadows[std::size_t(light)]; }
+    /// By volume of the plan
+    const WindowRect& volume(int index) const { return m_volumes[std::size_t(index)]; }
+
+    /// Pixels of one region lie in the same rectangles.
+    std::uint32_t region(const glm::ivec2& pixel) const {
+        return (std::uint32_t(m_columns[std::size_t(pixel.x)]) << 16) | m_rows[std::size_t(pixel.y)];
+    }
+
+  private:
+    static WindowRect stretched(const WindowRect& r, const Plan& plan, const Crossings& crossings) {
+        if (r.empty() || (crossings.width == plan.maskWidth && crossings.height == plan.maskHeight)) return r;
+        const auto low = [](int at, int to, int from) { return at * to / from; };
+        const auto high = [](int at, int to, int from) { return (at * to + from - 1) / from; };
+        const int x = low(r.x, crossings.width, plan.maskWidth),
+                  y = low(r.y, crossings.height, plan.maskHeight);
+        return {x, y, high(r.x + r.width, crossings.width, plan.maskWidth) - x,
+                high(r.y + r.height, crossings.height, plan.maskHeight) - y};
+    }
+
+    /// For each of @p size columns or rows, how many borders lie at or before it.
+    template <class Ends>
+    std::vector<std::uint16_t> runs(int size, const Ends& endsOf) const {
+        std::vector<std::uint16_t> run(std::size_t(size), 0);
+        for (const auto* rectangles : {&m_shadows, &m_volumes})
+            for (const WindowRect& r : *rectangles)
+                for (const int end : {endsOf(r).first, endsOf(r).second})
+                    if (!r.empty() && end > 0 && end < size) run[std::size_t(end)] = 1;
+        std::partial_sum(run.begin(), run.end(), run.begin());
+        return run;
+    }
+
+    std::vector<WindowRect> m_shadows{}, m_volumes{};
+    std::vector<std::uint16_t> m_columns{}, m_rows{};  ///< rows from the bottom
+};
+
 }  // namespace
 
 struct MaskPrediction::Impl {
@@ -86,12 +145,16 @@ struct MaskPrediction::Impl {
           run(runOf(plan, tap)),
           wraps(wrapsIn(plan, run)) {
         period = hasCodes() ? in.arithmetic.period() : 1;
-        outcomes.resize(in.crossings.signatures.size() * std::size_t(period * period));
+        isBounded = tap.outside >= 0 || plan.passes[run.first].extent != Extent::Whole;
+        leavesOut = std::find(in.planVolumes.begin(), in.planVolumes.end(), kLeftOut) != in.planVolumes.end();
         for (std::size_t i = run.first + 1; i < run.last; ++i) {
             const Pass& pass = plan.passes[i];
             const bool counts = pass.kind == PassKind::Volume || pass.kind == PassKind::Rectangle ||
                                 pass.kind == PassKind::Clear;
             if (!counts || !writesMask(pass, run.place)) continue;
+            if (i < run.start && pass.kind == PassKind::Volume && pass.drawn != Drawn::Blockers)
+                throw std::logic_error("a mask begins with what another one leaves");
+            isBounded = isBounded || pass.extent != Extent::Whole;
             if (pass.kind == PassKind::Volume && pass.volume != kAllVolumes) {
                 ofVolume[pass.volume].push_back(i);
                 drawsOneByOne = true;
@@ -99,9 +162,18 @@ struct MaskPrediction::Impl {
                 general.push_back(i);
             }
             if (pass.kind != PassKind::Volume) continue;
+            volumeExtent = volumeExtent.value_or(pass.extent) == pass.extent ? pass.extent : Extent::Whole;
             countsNearCaps = countsNearCaps || draws(pass, Piece::NearCap);
             const Meeting entry = meeting(pass, true, kBefore);
             if (draws(pass, Piece::Side) && entry != kNothing) entersBefore += direction(pass, entry);
+        }
+        if (isBounded)
+            bounds = Bounds(plan, in.light, in.crossings);
+        else
+            outcomes.resize(in.crossings.signatures.size() * std::size_t(period * period));
+        if (tap.outside >= 0) {
+            undrawn.exact = codeOf(tap.outside);
+            undrawn.values = {std::uint16_t(undrawn.exact)};
         }
     }
 
@@ -120,6 +192,7 @@ struct MaskPrediction::Impl {
     };
 
     const Outcome& at(int x, int y) {
+        if (isUndrawn(x, y)) return undrawn;
         const std::uint32_t pixel = std::uint32_t(y * in.crossings.width + x);
         if (in.crossings.others.empty() || !in.crossings.others.contains(pixel))
             return of(in.crossings.exact[pixel], x, y);
@@ -148,9 +221,12 @@ struct MaskPrediction::Impl {
         // Masks stand in the window's lower left corner.
         const int windowY = y + plan.height - in.crossings.height;
         const int cell = (windowY % period) * period + x % period;
-        Outcome& outcome =
-            outcomes[std::size_t(signature) * std::size_t(period * period) + std::size_t(cell)];
+        const std::size_t index = std::size_t(signature) * std::size_t(period * period) + std::size_t(cell);
+        const glm::ivec2 pixel = fromBelow(x, y);
+        Outcome& outcome = isBounded ? boundedOutcomes[(std::uint64_t(index) << 32) | bounds.region(pixel)]
+                                     : outcomes[index];
         if (!outcome.isKnown) {
+            current = pixel;
             currentX = x % period, currentY = windowY % period;
             currentCell = cell;
             replay(in.crossings.signatures[signature], outcome);
@@ -158,8 +234,44 @@ struct MaskPrediction::Impl {
         return outcome;
     }
 
-    int start() const {
-        const Pass& pass = plan.passes[run.first];
+    /// Pixels of rectangles have rows from the bottom.
+    glm::ivec2 fromBelow(int x, int y) const { return {x, in.crossings.height - 1 - y}; }
+
+    /// Whether the plan draws no mask there.
+    bool isUndrawn(int x, int y) const {
+        if (tap.outside < 0) return false;
+        const glm::ivec2 pixel = fromBelow(x, y);
+        return !bounds.shadows(in.light).holds(pixel.x, pixel.y);
+    }
+
+    /// Whether a pass may change the current pixel; of one that bounds each volume by itself holds() knows.
+    bool reaches(const Pass& pass) const {
+        if (pass.extent == Extent::Whole) return true;
+        const bool ofEach = pass.extent == Extent::Volumes;
+        if (ofEach && pass.kind == PassKind::Volume) return true;
+        const WindowRect& part =
+            ofEach && pass.volume != kAllVolumes ? bounds.volume(pass.volume) : bounds.shadows(pass.light);
+        return part.holds(current.x, current.y);
+    }
+
+    /// Whether passes of volumes draw that of the crossing at the current pixel.
+    bool holds(Extent extent, const Crossing& c) const {
+        if (!isBounded && !leavesOut) return true;
+        const int index = in.planVolumes.empty() ? int(c.volume) : in.planVolumes[c.volume];
+        if (index == kLeftOut) return false;
+        return extent != Extent::Volumes || index < 0 || bounds.volume(index).holds(current.x, current.y);
+    }
+
+    /// Whether any pass may draw the crossing at the current pixel.
+    bool mayBeDrawn(const Crossing& c) const {
+        const Extent extent = volumeExtent.value_or(Extent::Whole);
+        const bool isOutside =
+            extent == Extent::Shadows && !bounds.shadows(in.light).holds(current.x, current.y);
+        return !isOutside && holds(extent, c);
+    }
+
+    /// What a clear sets the mask to.
+    int clearedBy(const Pass& pass) const {
         switch (run.place) {
             case MaskPlace::Stencil:
                 return (pass.stencilIsBlockers ? in.holdingEye : pass.stencilValue) & 0xff;
@@ -173,7 +285,7 @@ struct MaskPrediction::Impl {
     }
 
     /// Whether the light's count starts from what hides the eye, as the plan finds it by itself.
-    bool startsAtEye() const { return plan.passes[run.first].stencilIsBlockers || tap.test.minusBlockers; }
+    bool startsAtEye() const { return plan.passes[run.start].stencilIsBlockers || tap.test.minusBlockers; }
 
     int reference() const {
         return (tap.test.reference - (tap.test.minusBlockers ? in.holdingEye : 0)) & 0xff;
@@ -210,9 +322,9 @@ struct MaskPrediction::Impl {
     }
 
     int afterClear(const Pass& pass, int value) const {
-        if (run.place != MaskPlace::Stencil) return start();
+        if (run.place != MaskPlace::Stencil) return clearedBy(pass);
         const int write = int(pass.stencil.writeMask & 0xffu);
-        return (pass.stencilValue & write) | (value & ~write);
+        return (clearedBy(pass) & write) | (value & ~write);
     }
 
     int afterFragment(std::size_t index, Meeting meeting, int value) {
@@ -298,8 +410,10 @@ struct MaskPrediction::Impl {
         outcome.isKnown = true;
         const bool isSure =
             std::all_of(signature.begin(), signature.end(), [](const Crossing& c) { return c.isSure(); });
-        int exact = start(), net = startsAtEye() ? in.holdingEye : 0;
-        if (!startsAtEye() && run.place == MaskPlace::Stencil) net = exact - tap.test.reference;
+        const bool isStarted = reaches(plan.passes[run.start]), atEye = isStarted && startsAtEye();
+        int exact = clearedBy(plan.passes[run.first]), net = atEye ? in.holdingEye : 0;
+        if (!atEye && run.place == MaskPlace::Stencil)
+            net = isStarted ? clearedBy(plan.passes[run.start]) - tap.test.reference : exact - reference();
         int least = net, most = net;
         Values values{std::uint16_t(exact)};
 
@@ -321,6 +435,7 @@ struct MaskPrediction::Impl {
 
         for (const std::size_t index : order) {
             const Pass& pass = plan.passes[index];
+            if (!reaches(pass)) continue;
             if (pass.kind == PassKind::Clear) {
                 exact = afterClear(pass, exact);
                 for (auto& value : values) value = std::uint16_t(afterClear(pass, value));
@@ -336,7 +451,7 @@ struct MaskPrediction::Impl {
             const auto crossings = crossingsOf(pass, signature);
             for (const bool front : {true, false}) {
                 for (const Crossing& c : crossings) {
-                    if (c.front != front || !draws(pass, c.piece)) continue;
+                    if (c.front != front || !draws(pass, c.piece) || !holds(pass.extent, c)) continue;
                     const Meeting met = meeting(pass, front, c.exact);
                     if (met != kNothing) {
                         const int before = exact;
@@ -357,12 +472,12 @@ struct MaskPrediction::Impl {
         outcome.leastUnlimited = isSure ? net : least;
         outcome.mostUnlimited = isSure ? net : most;
         if (!countsNearCaps)
-            outcome.nearCaps = int(std::count_if(signature.begin(), signature.end(), [](const Crossing& c) {
-                return c.piece == Piece::NearCap && c.exact != kAbsent;
+            outcome.nearCaps = int(std::count_if(signature.begin(), signature.end(), [&](const Crossing& c) {
+                return c.piece == Piece::NearCap && c.exact != kAbsent && mayBeDrawn(c);
             }));
         outcome.values = misses ? Values{} : std::move(values);
         // A face through the eye may be drawn in any pixel, or counted at the start, or neither.
-        if (startsAtEye() && in.eyeOnFace) {
+        if (atEye && in.eyeOnFace) {
             outcome.values.resize(256);
             std::iota(outcome.values.begin(), outcome.values.end(), std::uint16_t(0));
         }
@@ -370,6 +485,7 @@ struct MaskPrediction::Impl {
 
     /// The least and the most that a crossing may add to a count without limits.
     std::pair<int, int> directions(const Pass& pass, const Crossing& c) const {
+        if (c.possible == kAbsent) return {0, 0};
         int least = std::numeric_limits<int>::max(), most = std::numeric_limits<int>::min();
         const auto add = [&](std::uint8_t where) {
             const Meeting met = meeting(pass, c.front, where);
@@ -389,7 +505,7 @@ struct MaskPrediction::Impl {
         bool ways[kMeetings] = {};
         for (const std::uint8_t where : {kBefore, kAt, kBehind})
             if (c.possible & where) ways[meeting(pass, c.front, where)] = true;
-        if (c.possible & kMaybeAbsent) ways[kNothing] = true;
+        if (c.possible == kAbsent || (c.possible & kMaybeAbsent)) ways[kNothing] = true;
         Values next;
         bool isStuck = false;
         for (int way = 0; way < kMeetings; ++way) {
@@ -406,8 +522,9 @@ struct MaskPrediction::Impl {
         return isStuck;
     }
 
-    /// Whether the volume is there beyond doubt.
-    static bool mustBeDrawn(const Signature& signature, std::uint32_t volume) {
+    /// Whether the volume is there beyond doubt, and the plan's to draw.
+    bool mustBeDrawn(const Signature& signature, std::uint32_t volume) const {
+        if (!in.planVolumes.empty() && in.planVolumes[volume] == kLeftOut) return false;
         return std::any_of(signature.begin(), signature.end(), [&](const Crossing& c) {
             // What lies before the near plane alone is left out where no pass draws such pieces.
             const bool isBeyond = c.piece == Piece::Side || c.piece == Piece::FarCap;
@@ -415,7 +532,20 @@ struct MaskPrediction::Impl {
         });
     }
 
+    MaskPrediction::Doubt doubt(int x, int y) {
+        if (isUndrawn(x, y)) return Doubt::None;
+        current = fromBelow(x, y);
+        const auto pixel = std::uint32_t(y * in.crossings.width + x);
+        Doubt doubt = in.crossings.others.contains(pixel) ? Doubt::Others : Doubt::None;
+        for (const Crossing& c : in.crossings.signatures[in.crossings.exact[pixel]]) {
+            if (c.isSure() || !mayBeDrawn(c)) continue;
+            doubt = c.own && doubt != Doubt::Others ? Doubt::Own : Doubt::Others;
+        }
+        return doubt;
+    }
+
     bool hasCodes() const { return run.place == MaskPlace::Colour || run.place == MaskPlace::Alpha; }
+    int codeOf(int shown) const { return hasCodes() ? truncated(shown, in.arithmetic.bits()) : shown; }
 
     const MaskInputs in;
     const Plan& plan;
@@ -427,8 +557,13 @@ struct MaskPrediction::Impl {
     std::vector<std::size_t> general{};                  ///< passes that touch all rays
     std::map<int, std::vector<std::size_t>> ofVolume{};  ///< those of one volume
     bool drawsOneByOne = false, countsNearCaps = false;
-    int entersBefore = 0;  ///< what entries before the surface add, in all passes
+    bool leavesOut = false;                ///< some volumes are kLeftOut
+    bool isBounded = false;                ///< some passes don't reach all pixels
+    std::optional<Extent> volumeExtent{};  ///< of all volume passes; Whole where they differ
+    Bounds bounds{};                       ///< where passes are bounded
+    int entersBefore = 0;                  ///< what entries before the surface add, in all passes
 
+    glm::ivec2 current{0};  ///< the pixel that is predicted, rows from the bottom
     int currentX = 0, currentY = 0, currentCell = 0;
     std::map<std::pair<int, int>, std::vector<int>> tables{};  ///< by cell and operation: code after code
     std::map<std::size_t, int> opOfPass{};
@@ -436,6 +571,9 @@ struct MaskPrediction::Impl {
     std::vector<std::size_t> order{};
 
     std::vector<Outcome> outcomes{};  ///< by signature and cell
+    /// The same where passes are bounded, by region too.
+    std::unordered_map<std::uint64_t, Outcome> boundedOutcomes{};
+    Outcome undrawn{};  ///< where the plan draws no mask
     std::unordered_map<std::uint32_t, Outcome> mixed{};
 };
 
@@ -466,6 +604,7 @@ double MaskPrediction::shown(int value) const {
     return m_impl->hasCodes() ? 255.0 * value / largestCode(m_impl->in.arithmetic.bits()) : value;
 }
 bool MaskPrediction::isShownAs(int x, int y, int value, int shown) const {
+    if (m_impl->isUndrawn(x, y)) return shown == m_impl->tap.outside;
     const MaskChannel& channel = m_impl->in.arithmetic;
     const bool redrawn = m_impl->hasCodes() && m_impl->tap.place == MaskPlace::Texture && !channel.openGl;
     if (!redrawn) return codeOf(shown) == value;
@@ -474,7 +613,7 @@ bool MaskPrediction::isShownAs(int x, int y, int value, int shown) const {
     return codeOf(shown) == again;
 }
 int MaskPrediction::codeOf(int shown) const {
-    return m_impl->hasCodes() ? truncated(shown, m_impl->in.arithmetic.bits()) : shown;
+    return m_impl->codeOf(shown);
 }
 int MaskPrediction::unlimitedCount(int x, int y) const {
     return m_impl->at(x, y).unlimited;
@@ -507,14 +646,7 @@ bool MaskPrediction::isStuck(int x, int y) const {
 }
 
 MaskPrediction::Doubt MaskPrediction::doubt(int x, int y) const {
-    const Crossings& all = m_impl->in.crossings;
-    const auto pixel = std::uint32_t(y * all.width + x);
-    Doubt doubt = all.others.contains(pixel) ? Doubt::Others : Doubt::None;
-    for (const Crossing& c : all.signatures[all.exact[pixel]]) {
-        if (c.isSure()) continue;
-        doubt = c.own && doubt != Doubt::Others ? Doubt::Own : Doubt::Others;
-    }
-    return doubt;
+    return m_impl->doubt(x, y);
 }
 
 }  // namespace gnomon

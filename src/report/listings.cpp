@@ -97,7 +97,8 @@ std::string planText(const PlanSheet& sheet) {
             if (volumes == kShownVolumes + 1) rows.push_back({"...", "volume", "", ""});
             continue;
         }
-        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass)});
+        rows.push_back(
+            {fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass, plan.windows)});
         if (const std::string terms = termsOf(sheet, i); !terms.empty())
             rows.push_back({"", "", "", fmt::format("{}: {}", sheet.profile, terms)});
     }
@@ -124,7 +125,7 @@ Json planJson(const PlanSheet& sheet) {
         const Pass& pass = sheet.plan.passes[i];
         passes.push_back({{"kind", kindName(pass.kind)},
                           {"label", pass.label},
-                          {"state", describeState(pass)},
+                          {"state", describeState(pass, sheet.plan.windows)},
                           {"chip_terms", termsOf(sheet, i)}});
     }
     Json lacks = Json::array();
@@ -320,7 +321,8 @@ std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {
             for (std::size_t i = 0; i < s.plan.passes.size(); ++i)
                 text += csvLine({s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame),
                                  fmt::format("{}", i + 1), kindName(s.plan.passes[i].kind),
-                                 s.plan.passes[i].label, describeState(s.plan.passes[i]), termsOf(s, i)});
+                                 s.plan.passes[i].label, describeState(s.plan.passes[i], s.plan.windows),
+                                 termsOf(s, i)});
         return text;
     }
     std::string text;

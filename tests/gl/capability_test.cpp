@@ -485,6 +485,21 @@ TEST_P(EachLimitedChip, IsProbedBySixtyForbiddenCallsOrMore) {
 INSTANTIATE_TEST_SUITE_P(Chips, EachLimitedChip, testing::ValuesIn(kLimitedChips),
                          [](const auto& test) { return test.param; });
 
+TEST(Scissor, IsThereOnEachChip) {
+    int chips = 0;
+    for (const auto& file : std::filesystem::directory_iterator(kFolder)) {
+        const Profile profile = loadProfile(file.path());
+        const FakeDriver driver;
+        const GlTable gl = restrictTo(profile, bufferFormatOf(profile), driver.table());
+        gl.Enable(GL_SCISSOR_TEST);
+        gl.Scissor(1, 2, 3, 4);
+        gl.Disable(GL_SCISSOR_TEST);
+        EXPECT_THAT(driver.calls(), testing::ElementsAre("glEnable", "glScissor", "glDisable")) << profile.id;
+        ++chips;
+    }
+    EXPECT_GT(chips, 10);
+}
+
 TEST(Ideal, LetsEachProbeReachTheDriver) {
     const Profile ideal = chip("ideal");
     for (const Probe& probe : probesOf(ideal)) {

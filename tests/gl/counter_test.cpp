@@ -101,6 +101,15 @@ TEST(Counter, BeginsAPassAfterEachStateCall) {
     }
 }
 
+TEST(Counter, GoesOnWithARunWhereTheScissorMoves) {
+    Counted c;
+    c.gl.DrawArrays(GL_TRIANGLES, 0, 3);
+    c.gl.Scissor(1, 2, 3, 4);
+    c.gl.DrawArrays(GL_TRIANGLES, 3, 3);
+    EXPECT_EQ(c.passes().scene, 1);
+    EXPECT_EQ(c.driver.calls(), (std::vector<std::string>{"glDrawArrays", "glScissor", "glDrawArrays"}));
+}
+
 TEST(Counter, CountsThePartsOfOneCopyAsOne) {
     Counted c;
     c.gl.CopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, 0, 0, 61, 43);

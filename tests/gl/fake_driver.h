@@ -25,6 +25,7 @@ class FakeDriver {
         record(gl.PixelStorei, "glPixelStorei");
         record(gl.Enable, "glEnable");
         record(gl.Disable, "glDisable");
+        record(gl.Scissor, "glScissor");
         record(gl.DepthFunc, "glDepthFunc");
         record(gl.DepthMask, "glDepthMask");
         record(gl.AlphaFunc, "glAlphaFunc");

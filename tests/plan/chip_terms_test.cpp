@@ -325,5 +325,30 @@ TEST(ChipTerms, AreNoneWhereTheChipLacksSomethingOrSpeaksOpenGL) {
         EXPECT_EQ(chipTerms(volumeWith(DstColor, One), chipOf(unit)), "");
 }
 
+// Rows of chips begin at the top: 120 - 40 - 64 = 16.
+TEST(ChipTerms, BoundAPassWhereTheWordsAreKnown) {
+    Plan plan{.height = 120, .windows = {{{12, 40, 96, 64}, {{12, 40, 32, 64}, {}}}}};
+    Pass pass = stepOf(8, BlendEquation::Add);
+    const auto added = [&](BlendUnit unit) {
+        const Profile p = chipOf(unit);
+        const std::string whole = chipTerms(pass, p);
+        const std::string got = chipTerms(pass, p, plan);
+        EXPECT_NE(whole, "");
+        EXPECT_EQ(got.substr(0, whole.size()), whole);
+        return got.substr(whole.size());
+    };
+    EXPECT_EQ(added(BlendUnit::Gs), "") << "a whole pass";
+    pass.extent = Extent::Shadows;
+    EXPECT_EQ(added(BlendUnit::Gs), ", SCISSOR X0=12 X1=107 Y0=16 Y1=79");
+    EXPECT_EQ(added(BlendUnit::Psx), ", drawing area 12,16 96x64");
+    EXPECT_EQ(added(BlendUnit::Flipper), "") << "unknown";
+    pass.extent = Extent::Volumes;
+    EXPECT_EQ(added(BlendUnit::Gs), ", SCISSOR of each volume");
+    pass.volume = 0;
+    EXPECT_EQ(added(BlendUnit::Gs), ", SCISSOR X0=12 X1=43 Y0=16 Y1=79");
+    pass.volume = 1;
+    EXPECT_EQ(added(BlendUnit::Gs), "") << "nothing is drawn";
+}
+
 }  // namespace
 }  // namespace gnomon

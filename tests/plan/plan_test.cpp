@@ -27,6 +27,69 @@ TEST(DescribeState, SpeaksOfDepthBlendAndWritesInOpenGLsWords) {
     EXPECT_EQ(describeState(pass), "depth LEQUAL, blend DST_COLOR ONE, colour 1, write RGB");
 }
 
+// ---- Scissors ----
+
+const std::vector<MaskWindow> kWindows{{}, {{12, 40, 96, 64}, {{12, 40, 32, 32}, {40, 40, 68, 64}, {}}}};
+
+Pass boundedPass(PassKind kind, Extent extent, int volume = kAllVolumes) {
+    Pass pass{.kind = kind, .light = 1, .volume = volume};
+    pass.extent = extent;
+    return pass;
+}
+
+TEST(ScissorOf, IsTheLightsOrTheVolumes) {
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Rectangle, Extent::Whole), kWindows), std::nullopt);
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Rectangle, Extent::Shadows), kWindows), kWindows[1].all);
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Volume, Extent::Shadows, 0), kWindows), kWindows[1].all);
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Volume, Extent::Volumes, 1), kWindows), kWindows[1].volumes[1]);
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Volume, Extent::Volumes), kWindows), kWindows[1].all);
+    EXPECT_TRUE(scissorOf(boundedPass(PassKind::Volume, Extent::Volumes, 2), kWindows)->empty());
+    Pass other = boundedPass(PassKind::Clear, Extent::Shadows);
+    other.light = 0;
+    EXPECT_TRUE(scissorOf(other, kWindows)->empty());
+}
+
+TEST(ScissorOf, NeverBoundsACopy) {
+    EXPECT_EQ(scissorOf(boundedPass(PassKind::Copy, Extent::Shadows), kWindows), std::nullopt);
+}
+
+TEST(DescribeState, SaysWhereAPassIsBounded) {
+    EXPECT_EQ(describeState(boundedPass(PassKind::Rectangle, Extent::Shadows), kWindows),
+              "scissor 12,40 96x64, colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Clear, Extent::Shadows), kWindows),
+              "scissor 12,40 96x64, colour 1");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Volume, Extent::Volumes, 0), kWindows),
+              "scissor 12,40 32x32, colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Volume, Extent::Volumes), kWindows),
+              "scissor of each volume within 12,40 96x64, colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Volume, Extent::Volumes, 2), kWindows),
+              "empty scissor, colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Volume, Extent::Whole), kWindows), "colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Copy, Extent::Shadows), kWindows), "colour to RGB");
+    Pass masked = boundedPass(PassKind::Rectangle, Extent::Shadows);
+    masked.target = Target::Mask;
+    EXPECT_EQ(describeState(masked, kWindows), "mask's viewport, scissor 12,40 96x64, colour 1, write RGB");
+}
+
+TEST(DescribeState, SaysThatAPassIsBoundedWhereTheWindowsAreNotKnown) {
+    EXPECT_EQ(describeState(boundedPass(PassKind::Rectangle, Extent::Shadows)),
+              "scissor, colour 1, write RGB");
+    EXPECT_EQ(describeState(boundedPass(PassKind::Volume, Extent::Volumes)),
+              "scissor of each volume, colour 1, write RGB");
+}
+
+TEST(Missing, AsksForNothingMoreWhereAPassIsBounded) {
+    Profile none;
+    none.textureUnits = 1;
+    for (const PassKind kind : {PassKind::Clear, PassKind::Volume, PassKind::Rectangle}) {
+        Plan plan{.passes = {boundedPass(kind, Extent::Whole)}};
+        plan.passes.front().blend = {.enabled = true, .source = BlendFactor::DstColor};
+        const std::vector<Missing> whole = missing(none, plan);
+        plan.passes.front().extent = Extent::Shadows, plan.windows = kWindows;
+        EXPECT_EQ(missing(none, plan), whole);
+    }
+}
+
 TEST(DescribeState, NamesAnEquationThatIsNotASum) {
     Pass pass{.kind = PassKind::Volume,
               .colour = glm::vec4(8, 4, 8, 4) / 255.0f,
