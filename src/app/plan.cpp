@@ -6,6 +6,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/path.h"
+#include "matrix/choice.h"
 #include "plan/chip_terms.h"
 
 namespace gnomon {
@@ -16,9 +17,46 @@ struct Options {
     SceneOption scenes{};
     MethodOption methods{};
     SizeOption sizes{};
+    EffectsOption effects{};
     FormatOption format{};
     int frame = 0;
+    bool explain = false;
 };
+
+/// What is to be listed of one method.
+PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Options& options,
+                  const Axes& asked) {
+    const auto [width, height] = size;
+    const int frame = options.frame;
+    Axes axes = asked;
+    PlanSheet sheet{.method = methodId(asked),
+                    .shade = name(asked.shade),
+                    .profile = profile.id,
+                    .scene = lab.scene().id,
+                    .frame = frame};
+    if (asked.automatic) {
+        const auto all = gnomon::options(lab, profile, asked.shade, width, height, frame);
+        axes = choose(lab, profile, all, width, height, frame).option.axes;
+    }
+    sheet.plan = lab.plan(profile, axes, width, height, frame);
+    sheet.missing = lab.missingFor(profile, axes, sheet.plan);
+    const bool isDerived = options.explain || asked.automatic || options.effects.value();
+    if (isDerived && sheet.missing.empty()) {
+        MinimalPlan least = lab.minimalPlan(profile, axes, width, height, frame);
+        if (options.explain) {
+            const std::string drawnAs = methodId(least.axes);
+            sheet.notes = {.effects = least.notes,
+                           .amounts = lab.amounts(profile, least, width, height, frame),
+                           .full = sheet.plan,
+                           .fullAmount = sumOf(lab.fullAmounts(profile, axes, width, height, frame)),
+                           .drawnAs = drawnAs == sheet.method ? "" : drawnAs};
+        }
+        sheet.plan = std::move(least.plan);
+    }
+    for (const Pass& pass : sheet.plan.passes)
+        sheet.chipTerms.push_back(chipTerms(pass, profile, sheet.plan));
+    return sheet;
+}
 
 int run(const Options& options) {
     const Format format = options.format.value();
@@ -42,15 +80,9 @@ int run(const Options& options) {
         methods = options.methods.axes(dropped);
         if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
     }
-    std::string separator = format == Format::Json ? "[" : "";
+    lab.simulate(options.effects.value());
     std::vector<PlanSheet> sheets;
-    for (const Axes& axes : methods) {
-        const Plan plan = lab.plan(profile, axes, size.width, size.height, options.frame);
-        std::vector<std::string> terms;
-        for (const Pass& pass : plan.passes) terms.push_back(chipTerms(pass, profile, plan));
-        sheets.push_back({methodId(axes), name(axes.shade), profile.id, lab.scene().id, options.frame, plan,
-                          lab.missingFor(profile, axes, plan), std::move(terms)});
-    }
+    for (const Axes& axes : methods) sheets.push_back(sheetOf(lab, profile, size, options, axes));
     fmt::print("{}", showPlans(sheets, format));
     return 0;
 }
@@ -66,6 +98,10 @@ void addPlan(CLI::App& app, int& status) {
     options->methods.addTo(*command);
     options->sizes.addTo(*command);
     command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
+    command->add_flag(
+        "--explain", options->explain,
+        "the plan with what the frame calls for: why each pass is there, what is left out and why");
+    options->effects.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -47,7 +47,8 @@ std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int w
         option.missing = lacks(option.axes);
         if (option.missing.empty()) {
             option.plan = lab.minimalPlan(profile, option.axes, width, height, frame);
-            option.touched = lab.touched(profile, option.plan, width, height, frame);
+            for (const DrawnAmount& pass : lab.amounts(profile, option.plan, width, height, frame))
+                option.touched += pass.pixels;
         }
         found.push_back(std::move(option));
     }

@@ -325,7 +325,7 @@ struct Lab::Impl {
         return all;
     }
 
-    TouchedPixels touched(const Profile& profile, const Drawing& drawing) {
+    std::vector<DrawnAmount> amounts(const Profile& profile, const Drawing& drawing) {
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
             if (index != last) {
                 lightFrame(profile, drawing, index);
@@ -338,7 +338,7 @@ struct Lab::Impl {
             last = index;
             return current;
         };
-        return touchedPixels(drawing.plan, surfacesOf(), frames);
+        return drawnAmounts(drawing.plan, surfacesOf(), frames);
     }
 
     FramePredictor& predictorOf() {
@@ -431,7 +431,7 @@ struct Lab::Impl {
         rendered.values.resize(std::size_t(lights()),
                                isMasked ? std::vector<std::uint16_t>{} : rendered.values.front());
 
-        cell.touched = touched(profile, drawing);
+        for (const DrawnAmount& pass : amounts(profile, drawing)) cell.touched += pass.pixels;
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
@@ -556,10 +556,17 @@ Foreseen Lab::foresee(const Profile& profile, const MinimalPlan& minimal, int wi
     return m_impl->foresee(profile, Impl::drawingOf(minimal));
 }
 
-TouchedPixels Lab::touched(const Profile& profile, const MinimalPlan& minimal, int width, int height,
-                           int frame) {
+std::vector<DrawnAmount> Lab::amounts(const Profile& profile, const MinimalPlan& minimal, int width,
+                                      int height, int frame) {
     m_impl->select({width, height, frame});
-    return m_impl->touched(profile, Impl::drawingOf(minimal));
+    return m_impl->amounts(profile, Impl::drawingOf(minimal));
+}
+
+std::vector<DrawnAmount> Lab::fullAmounts(const Profile& profile, const Axes& given, int width, int height,
+                                          int frame) {
+    m_impl->select({width, height, frame});
+    const Axes axes = normalised(given);
+    return m_impl->amounts(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)});
 }
 
 std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {

@@ -71,9 +71,12 @@ class Lab {
     /// @pre axes count by volumes, and the chip lacks nothing
     Foreseen foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame);
 
-    /// What a minimal plan touches.
-    TouchedPixels touched(const Profile& profile, const MinimalPlan& minimal, int width, int height,
-                          int frame);
+    /// What each pass of a minimal plan draws.
+    std::vector<DrawnAmount> amounts(const Profile& profile, const MinimalPlan& minimal, int width,
+                                     int height, int frame);
+    /// The same of the full plan of @p axes.
+    std::vector<DrawnAmount> fullAmounts(const Profile& profile, const Axes& axes, int width, int height,
+                                         int frame);
 
     /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
     /// scene.

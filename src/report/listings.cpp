@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
+#include "report/plan_json.h"
 #include "report/table.h"
 
 namespace gnomon {
@@ -87,32 +90,88 @@ std::string termsOf(const PlanSheet& sheet, std::size_t i) {
     return i < sheet.chipTerms.size() ? sheet.chipTerms[i] : "";
 }
 
-std::string planText(const PlanSheet& sheet) {
-    const Plan& plan = sheet.plan;
-    std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
+/// The passes of a plan by what a text shows of them: volume passes beyond the first few are folded into one
+/// line.
+struct ShownPasses {
+    std::vector<std::size_t> before{}, folded{}, after{};
+};
+ShownPasses shownPasses(const Plan& plan) {
+    ShownPasses shown;
     std::size_t volumes = 0;
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
-        const Pass& pass = plan.passes[i];
-        if (pass.kind == PassKind::Volume && ++volumes > kShownVolumes) {
-            if (volumes == kShownVolumes + 1) rows.push_back({"...", "volume", "", ""});
-            continue;
-        }
-        rows.push_back(
-            {fmt::format("{}", i + 1), kindName(pass.kind), pass.label, describeState(pass, plan.windows)});
+        const bool folds = plan.passes[i].kind == PassKind::Volume && ++volumes > kShownVolumes;
+        (folds ? shown.folded : shown.folded.empty() ? shown.before : shown.after).push_back(i);
+    }
+    return shown;
+}
+
+std::string foldedLabel(const ShownPasses& shown) {
+    return fmt::format("{} more, front and back faces in turn", shown.folded.size());
+}
+
+std::string passTable(const PlanSheet& sheet) {
+    const ShownPasses shown = shownPasses(sheet.plan);
+    std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
+    const auto add = [&](std::size_t i) {
+        const Pass& pass = sheet.plan.passes[i];
+        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind), pass.label,
+                        describeState(pass, sheet.plan.windows)});
         if (const std::string terms = termsOf(sheet, i); !terms.empty())
             rows.push_back({"", "", "", fmt::format("{}: {}", sheet.profile, terms)});
+    };
+    for (const std::size_t i : shown.before) add(i);
+    if (!shown.folded.empty()) rows.push_back({"...", "volume", foldedLabel(shown), ""});
+    for (const std::size_t i : shown.after) add(i);
+    return alignColumns(rows);
+}
+
+/// With state, chip's terms and reason beneath each pass.
+std::string explainedTable(const PlanSheet& sheet) {
+    const ShownPasses shown = shownPasses(sheet.plan);
+    const PlanNotes& notes = *sheet.notes;
+    std::vector<std::vector<std::string>> rows{{"pass", "draws", "touches", "what"}};
+    std::vector<std::string> beneath{"", ""};  // the head and its rule
+    const auto add = [&](std::size_t i) {
+        const Pass& pass = sheet.plan.passes[i];
+        rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind),
+                        fmt::format("{}", notes.amounts[i].pixels.total()), pass.label});
+        std::string& lines = beneath.emplace_back();
+        const auto line = [&](const std::string& text) {
+            lines += fmt::format("      {}\n", wrapText(text, 8));
+        };
+        line(describeState(pass, sheet.plan.windows));
+        if (const std::string terms = termsOf(sheet, i); !terms.empty())
+            line(fmt::format("{}: {}", sheet.profile, terms));
+        line(fmt::format("why: {}", reasonFor(sheet.plan, i, notes.effects)));
+    };
+    for (const std::size_t i : shown.before) add(i);
+    if (!shown.folded.empty()) {
+        std::int64_t touched = 0;
+        for (const std::size_t i : shown.folded) touched += notes.amounts[i].pixels.total();
+        rows.push_back({"...", "volume", fmt::format("{}", touched), foldedLabel(shown)});
+        beneath.emplace_back();
     }
-    for (auto& row : rows)
-        if (row[0] == "...")
-            row[2] = fmt::format("{} more, front and back faces in turn", volumes - kShownVolumes);
+    for (const std::size_t i : shown.after) add(i);
+    std::istringstream table(alignColumns(rows));
+    std::string text, line;
+    for (const std::string& lines : beneath) {
+        std::getline(table, line);
+        text += fmt::format("{}\n{}", line, lines);
+    }
+    return text;
+}
+
+std::string planText(const PlanSheet& sheet) {
+    const Plan& plan = sheet.plan;
     std::string text = fmt::format("{} ({}) on {}: {} at {}x{}, frame {}\n\n", sheet.method, sheet.shade,
                                    sheet.profile, sheet.scene, plan.width, plan.height, sheet.frame);
-    text += alignColumns(rows);
+    text += sheet.notes ? explainedTable(sheet) : passTable(sheet);
     const PassCounts counts = countPasses(plan);
     text += fmt::format("\n{}, {}, {}, {}\n", counted(counts.scene, "scene pass", "scene passes"),
                         counted(counts.volume, "volume pass", "volume passes"),
                         counted(counts.rectangle, "rectangle", "rectangles"),
                         counted(counts.copy, "copy", "copies"));
+    if (sheet.notes) text += notesText(plan, *sheet.notes);
     for (const Missing& m : sheet.missing)
         text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
     return text;
@@ -127,24 +186,68 @@ Json planJson(const PlanSheet& sheet) {
                           {"label", pass.label},
                           {"state", describeState(pass, sheet.plan.windows)},
                           {"chip_terms", termsOf(sheet, i)}});
+        if (!sheet.notes) continue;
+        passes.back()["reason"] = reasonFor(sheet.plan, i, sheet.notes->effects);
+        passes.back()["scissor"] = extentJson(sheet.plan, pass);
+        passes.back()["vertices"] = sheet.notes->amounts[i].vertices;
+        passes.back()["touched"] = sheet.notes->amounts[i].pixels.total();
     }
     Json lacks = Json::array();
     for (const Missing& m : sheet.missing)
         lacks.push_back({{"capability", m.key}, {"what", m.what}, {"source", m.source}});
-    return Json{{"method", sheet.method},
-                {"shade", sheet.shade},
-                {"profile", sheet.profile},
-                {"scene", sheet.scene},
-                {"width", sheet.plan.width},
-                {"height", sheet.plan.height},
-                {"frame", sheet.frame},
-                {"passes", passes},
-                {"counts",
-                 {{"scene", counts.scene},
-                  {"volume", counts.volume},
-                  {"rectangle", counts.rectangle},
-                  {"copy", counts.copy}}},
-                {"missing", lacks}};
+    Json json{{"method", sheet.method}, {"shade", sheet.shade},      {"profile", sheet.profile},
+              {"scene", sheet.scene},   {"width", sheet.plan.width}, {"height", sheet.plan.height},
+              {"frame", sheet.frame},   {"passes", passes},          {"counts", toJson(counts)},
+              {"missing", lacks}};
+    if (!sheet.notes) return json;
+    const DrawnAmount amount = sumOf(sheet.notes->amounts), &full = sheet.notes->fullAmount;
+    json["drawn_as"] = sheet.notes->drawnAs.empty() ? sheet.method : sheet.notes->drawnAs;
+    json["effects"] = toJson(sheet.notes->effects);
+    json["vertices"] = amount.vertices;
+    json["touched"] = toJson(amount.pixels);
+    json["full"] = {{"counts", toJson(countPasses(sheet.notes->full))},
+                    {"vertices", full.vertices},
+                    {"touched", toJson(full.pixels)}};
+    return json;
+}
+
+/// A line per pass; with notes, a line per effect follows them.
+std::string plansCsv(const std::vector<PlanSheet>& sheets) {
+    const bool explains =
+        std::any_of(sheets.begin(), sheets.end(), [](const PlanSheet& s) { return s.notes; });
+    std::vector<std::string> head{"method", "shade", "profile", "scene", "frame",
+                                  "pass",   "draws", "what",    "state", "chip_terms"};
+    if (explains) head.insert(head.end(), {"reason", "vertices", "touched"});
+    std::string text = csvLine(head);
+    for (const PlanSheet& s : sheets) {
+        const std::vector<std::string> of{s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame)};
+        const auto line = [&](const std::vector<std::string>& rest) {
+            std::vector<std::string> fields = of;
+            fields.insert(fields.end(), rest.begin(), rest.end());
+            fields.resize(head.size());
+            text += csvLine(fields);
+        };
+        for (std::size_t i = 0; i < s.plan.passes.size(); ++i) {
+            const Pass& pass = s.plan.passes[i];
+            std::vector<std::string> fields{fmt::format("{}", i + 1), kindName(pass.kind), pass.label,
+                                            describeState(pass, sheet.plan.windows), termsOf(s, i)};
+            if (s.notes)
+                fields.insert(fields.end(), {reasonFor(s.plan, i, s.notes->effects),
+                                             fmt::format("{}", s.notes->amounts[i].vertices),
+                                             fmt::format("{}", s.notes->amounts[i].pixels.total())});
+            line(fields);
+        }
+        if (!s.notes) continue;
+        for (const EffectNote& note : s.notes->effects)
+            line({"",
+                  !note.isDrawn  ? "left out"
+                  : note.isAsked ? "asked for"
+                                 : "called for",
+                  note.light < 0 ? name(note.effect)
+                                 : fmt::format("{} of light {}", name(note.effect), note.light),
+                  "", "", note.fact});
+    }
+    return text;
 }
 
 /// What a hard case is about, and what must come of it as commands that show it.
@@ -314,17 +417,7 @@ std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {
         for (const PlanSheet& sheet : sheets) all.push_back(planJson(sheet));
         return all.dump(2) + "\n";
     }
-    if (format == Format::Csv) {
-        std::string text = csvLine(
-            {"method", "shade", "profile", "scene", "frame", "pass", "draws", "what", "state", "chip_terms"});
-        for (const PlanSheet& s : sheets)
-            for (std::size_t i = 0; i < s.plan.passes.size(); ++i)
-                text += csvLine({s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame),
-                                 fmt::format("{}", i + 1), kindName(s.plan.passes[i].kind),
-                                 s.plan.passes[i].label, describeState(s.plan.passes[i], s.plan.windows),
-                                 termsOf(s, i)});
-        return text;
-    }
+    if (format == Format::Csv) return plansCsv(sheets);
     std::string text;
     for (const PlanSheet& sheet : sheets) text += planText(sheet) + "\n";
     return text;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "method/method.h"
 #include "plan/plan.h"
 #include "profile/profile.h"
+#include "report/plan_notes.h"
 #include "scene/scene.h"
 
 namespace gnomon {
@@ -34,9 +36,11 @@ struct PlanSheet {
     Plan plan{};
     std::vector<Missing> missing{};
     std::vector<std::string> chipTerms{};  ///< of each pass (chip_terms.h); "" where there are none
+    std::optional<PlanNotes> notes{};      ///< of a plan that is to be explained
 };
 
-/// The passes of frames in OpenGL's terms and the chip's own, and what the chip lacks for them.
+/// The passes of frames in OpenGL's terms and the chip's own, and what the chip lacks for them; of plans with
+/// notes why each pass is there, what it touches, what is left out and why, and the full plan beside it.
 std::string showPlans(const std::vector<PlanSheet>& sheets, Format format);
 
 }  // namespace gnomon

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "cost/touched.h"
+#include "needs/minimal_plan.h"
+#include "plan/plan.h"
+
+namespace gnomon {
+
+/// What stands behind a minimal plan: why its parts are there or left out, and the full plan beside it.
+struct PlanNotes {
+    std::vector<EffectNote> effects{};
+    std::vector<DrawnAmount> amounts{};  ///< of each pass of the minimal plan
+    Plan full{};
+    DrawnAmount fullAmount{};
+    std::string
+        drawnAs{};  ///< method id of MinimalPlan::axes, if it is not the one that was asked for; or ""
+};
+
+/// The fact that calls for pass @p index of @p plan, in one phrase: what it does for the picture, how many
+/// volumes reach what is seen and where, and the notes on effects that it is there for.
+std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<EffectNote>& effects);
+
+/// "183x122 at 60,40", or "no pixel".
+std::string rectText(const WindowRect& rect);
+
+/// The amount of all passes.
+DrawnAmount sumOf(const std::vector<DrawnAmount>& amounts);
+
+/// For people, beneath the passes of @p plan: what is left out and why, what was asked for, and passes,
+/// vertices and touched pixels of the minimal and the full plan side by side.
+std::string notesText(const Plan& plan, const PlanNotes& notes);
+
+}  // namespace gnomon
