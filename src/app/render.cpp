@@ -51,6 +51,20 @@ std::function<void(Surface&, std::size_t)> stepWriter(const std::filesystem::pat
     };
 }
 
+const char* proofText(Proof proof) {
+    switch (proof) {
+        case Proof::Predicted:
+            return "proved exact in this frame";
+        case Proof::Drawn:
+            return "exact as drawn, but not proved";
+        case Proof::None:
+            return "the least wrong: no method is exact here";
+        case Proof::Refused:
+            return "though the chip can run no method";
+    }
+    return "";
+}
+
 std::string summary(const Cell& cell) {
     std::string text = fmt::format("{}: {}\n", cell.id(), name(cell.verdict));
     if (cell.verdict == Verdict::Failed) return text + "  " + cell.error + "\n";
@@ -66,7 +80,8 @@ std::string summary(const Cell& cell) {
     for (const std::string& warning : cell.warnings) text += fmt::format("  warning: {}\n", warning);
     text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
                         cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
-    if (!cell.drawnBy.empty()) text += fmt::format("  drawn by: {}\n", cell.drawnBy);
+    if (!cell.drawnBy.empty())
+        text += fmt::format("  drawn by: {}, {}\n", cell.drawnBy, proofText(cell.proof));
     if (cell.effects != Effects::all()) text += fmt::format("  effects: {}\n", toString(cell.effects));
     text += fmt::format(
         "  cost: {} touched pixels, {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",

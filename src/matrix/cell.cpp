@@ -15,4 +15,9 @@ const std::string& name(Verdict verdict) {
     return names[std::size_t(verdict)];
 }
 
+const std::string& name(Proof proof) {
+    static const std::array<std::string, kProofs> names{"predicted", "drawn", "none", "refused"};
+    return names[std::size_t(proof)];
+}
+
 }  // namespace gnomon

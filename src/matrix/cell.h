@@ -21,6 +21,15 @@ enum class Verdict {
     Failed,   ///< crash, time-out, OpenGL error: a fault of ours or of the driver
 };
 
+/// How sure it is that a chosen method is exact.
+enum class Proof {
+    Predicted,  ///< exact arithmetic shows each untied pixel as truth has it, however a rasteriser rounds
+    Drawn,      ///< it was drawn, and is exact; exact arithmetic can't rule out that it might not be
+    None,       ///< no method is exact; this one is wrong in the fewest pixels
+    Refused,    ///< the chip can run no method
+};
+constexpr int kProofs = 4;
+
 /// One cell of the matrix: a profile, a method, a scene, a size, a frame, and what came of it.
 struct Cell {
     std::string profile{}, method{}, scene{};
@@ -30,6 +39,7 @@ struct Cell {
     std::string fidelity = "gl";
     Effects effects = Effects::all();  ///< simulated besides what the frame calls for
     std::string drawnBy{};             ///< the named method that an automatic one has chosen; else empty
+    Proof proof = Proof::Predicted;    ///< of that choice
 
     Verdict verdict = Verdict::Failed;
     bool chosen = false;                  ///< the path that gnomon takes on this chip when no method is named
@@ -54,5 +64,6 @@ struct Cell {
 };
 
 const std::string& name(Verdict);
+const std::string& name(Proof);
 
 }  // namespace gnomon

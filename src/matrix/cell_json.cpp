@@ -86,7 +86,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
     }
     if (c.axes.maskDivisor == 1) json["mask_scale"] = 1;
     if (c.axes.arithmetic != Arithmetic::Double) json.erase("levels");
-    if (!c.drawnBy.empty()) json["drawn_by"] = c.drawnBy;
+    if (!c.drawnBy.empty()) json["drawn_by"] = c.drawnBy, json["proof"] = name(c.proof);
     if (c.verdict == Verdict::Failed) json["error"] = c.error;
     return json;
 }
@@ -114,6 +114,7 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.fidelity = j.at("fidelity");
     c.effects = effectsFrom(j.at("effects")).value_or(Effects::all());
     c.drawnBy = j.value("drawn_by", "");
+    c.proof = wordOf<Proof>(j.value("proof", name(Proof::Predicted)), kProofs);
     c.verdict = wordOf<Verdict>(j.at("verdict"), 5);
     c.chosen = j.at("chosen");
     for (const auto& m : j.at("missing"))

@@ -20,14 +20,6 @@ struct Option {
 /// table. Those that the chip can't run come last.
 std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int width, int height, int frame);
 
-/// How sure it is that a chosen method is exact.
-enum class Proof {
-    Predicted,  ///< exact arithmetic shows each untied pixel as truth has it, however a rasteriser rounds
-    Drawn,      ///< it was drawn, and is exact; exact arithmetic can't rule out that it might not be
-    None,       ///< no method is exact; this one is wrong in the fewest pixels
-    Refused,    ///< the chip can run no method
-};
-
 struct Choice {
     Option option{};  ///< of Refused: the first of the table
     Proof proof = Proof::Refused;

@@ -596,11 +596,7 @@ Cell Lab::runChosen(const Profile& profile, const Axes& given, int width, int he
     simulate(effects);
     cell.drawnBy = choice.option.method;
     cell.method = methodId(given);
-    if (choice.proof == Proof::Drawn)
-        cell.warnings.push_back("exact as it was drawn; a rasteriser that rounds otherwise may be wrong");
-    if (choice.proof == Proof::None)
-        cell.warnings.push_back(
-            fmt::format("no method is exact here; {} is wrong in the fewest pixels", cell.drawnBy));
+    cell.proof = choice.proof;
     return cell;
 }
 

@@ -230,7 +230,7 @@ std::string plansCsv(const std::vector<PlanSheet>& sheets) {
         for (std::size_t i = 0; i < s.plan.passes.size(); ++i) {
             const Pass& pass = s.plan.passes[i];
             std::vector<std::string> fields{fmt::format("{}", i + 1), kindName(pass.kind), pass.label,
-                                            describeState(pass, sheet.plan.windows), termsOf(s, i)};
+                                            describeState(pass, s.plan.windows), termsOf(s, i)};
             if (s.notes)
                 fields.insert(fields.end(), {reasonFor(s.plan, i, s.notes->effects),
                                              fmt::format("{}", s.notes->amounts[i].vertices),

@@ -241,6 +241,40 @@ std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<
     return text.empty() ? text : "\nVolumes may nest too deep\n" + text;
 }
 
+/// What automatic methods draw: a line for each method and how sure it is, with the chips and frames of which
+/// not all are meant.
+std::string choicesOf(const std::vector<const Cell*>& cells, const std::vector<Column>& columns,
+                      const std::vector<int>& frames) {
+    struct Line {
+        std::string text{};
+        std::vector<std::string> chips{};
+        std::vector<int> frames{};
+    };
+    std::vector<Line> lines;
+    for (const Cell* cell : cells) {
+        if (cell->drawnBy.empty() || cell->verdict == Verdict::Refused) continue;
+        const std::string sure = cell->proof == Proof::None ? ": no method is exact, this is the least wrong"
+                                 : cell->proof == Proof::Drawn ? ": exact as drawn, not proved"
+                                                               : "";
+        const std::string text = fmt::format("{}: {}{}", rowOf(*cell), cell->drawnBy, sure);
+        auto line = std::find_if(lines.begin(), lines.end(), [&](const Line& l) { return l.text == text; });
+        if (line == lines.end()) line = lines.insert(lines.end(), {text, {}, {}});
+        addOnce(line->chips, cell->profile);
+        addOnce(line->frames, cell->frame);
+    }
+    std::string text;
+    for (Line& line : lines) {
+        std::sort(line.frames.begin(), line.frames.end());
+        const std::string when =
+            line.frames.size() < frames.size()
+                ? fmt::format("frame{} {}; ", line.frames.size() > 1 ? "s" : "", fmt::join(line.frames, " "))
+                : "";
+        text += fmt::format(
+            "  {}\n", wrapText(fmt::format("{} ({}{})", line.text, when, headsText(line.chips, columns)), 5));
+    }
+    return text.empty() ? text : "\nMethods that were chosen\n" + text;
+}
+
 /// One table with its legend and causes; what is refused or failed goes into @p notes.
 std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     std::vector<std::string> profiles, methods;
@@ -283,6 +317,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
     for (const auto& [cause, where] : causes)
         text += fmt::format("  {}\n", wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5));
+    text += choicesOf(cells, groups, frames);
     text += warningsOf(cells, methods, groups, frames);
     return text;
 }
@@ -402,6 +437,7 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          fmt::format("{}", fmt::join(c.warnings, "; ")),
                          toString(c.effects),
                          c.drawnBy,
+                         c.drawnBy.empty() ? "" : name(c.proof),
                          number(c.touched.total()),
                          number(c.vertices),
                          fmt::format("{:.3f}", c.cpuMs),
