@@ -33,8 +33,8 @@ class RandomScenes {
         const bool isNear = chance(0.3);  // among the casters, and so in volumes and close to surfaces
         scene.frames = {{.eye = isNear ? point(1.5f) + glm::vec3(0, 1.5f, 0) : point(5) + glm::vec3(0, 3, 0),
                          .target = point(1.5f) + glm::vec3(0, 1, 0),
-                         .fovDegrees = isNear ? 70.0f : 40.0f,
-                         .nearPlane = chance(0.5) ? 0.05f : 0.5f}};
+                         .fovDegrees = isNear ? 50.0f : 25.0f,
+                         .nearPlane = chance(0.5) ? 0.1f : 0.5f}};
         return scene;
     }
 

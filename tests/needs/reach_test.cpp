@@ -94,7 +94,7 @@ TEST_P(ReachOfRandomScenes, LeavesOutNothingThatIsInShadow) {
     Kept kept;
     for (int i = 0; i < 1000; ++i) {
         const Scene scene = scenes.next();
-        const View view = viewOf(scene.frames.front(), 20, 14);
+        const View view = viewOf(scene.frames.front(), 16, 10);
         const Silhouette silhouette = i % 4 == 0 ? Silhouette::PerTriangle : Silhouette::Winding;
         const std::int64_t before = kept.wrong;
         compare(scene, view, depthTies(i % 3 == 0 ? 16 : 24), silhouette, kept);
