@@ -412,6 +412,16 @@ struct Lab::Impl {
             cell.warnings.push_back(*warning);
     }
 
+    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const AfterPass& each = {}) {
+        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
+            if (index != last) lightFrame(profile, drawing, index);
+            last = index;
+            return current;
+        };
+        return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(), frames,
+                      each);
+    }
+
     void draw(Cell& cell, const Profile& profile, const Drawing& drawing, Pictures* pictures,
               const std::function<void(Surface&, std::size_t)>& afterPass) {
         const Plan& plan = drawing.plan;
@@ -419,12 +429,7 @@ struct Lab::Impl {
         Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
-        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
-            if (index != last) lightFrame(profile, drawing, index);
-            last = index;
-            return current;
-        };
-        Rendered rendered = render(surface, profile, plan, surfacesOf(), frames, each);
+        Rendered rendered = drawOnce(profile, drawing, each);
         // Without masks nothing is in shadow; a light that was left out has none.
         const bool isMasked = !plan.masks.empty();
         rendered.masks.resize(std::size_t(lights()), isMasked ? std::vector<bool>{} : rendered.masks.front());
@@ -554,6 +559,26 @@ MinimalPlan Lab::minimalPlan(const Profile& profile, const Axes& axes, int width
 Foreseen Lab::foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame) {
     m_impl->select({width, height, frame});
     return m_impl->foresee(profile, Impl::drawingOf(minimal));
+}
+
+std::vector<std::vector<double>> Lab::frameMs(const Profile& profile, const Axes& axes,
+                                              std::span<const Effects> ways, int width, int height, int frame,
+                                              int repeats) {
+    m_impl->select({width, height, frame});
+    const auto before = m_impl->effects;
+    std::vector<Drawing> drawings;
+    for (const Effects& effects : ways) {
+        m_impl->effects = effects;
+        drawings.push_back(m_impl->drawingOf(profile, normalised(axes)));
+    }
+    m_impl->effects = before;
+    std::vector<std::vector<double>> times(ways.size());
+    for (int round = 0; round <= repeats; ++round)
+        for (std::size_t way = 0; way < ways.size(); ++way) {
+            const double ms = m_impl->drawOnce(profile, drawings[way]).cpuMs;
+            if (round > 0) times[way].push_back(ms);
+        }
+    return times;
 }
 
 std::vector<DrawnAmount> Lab::amounts(const Profile& profile, const MinimalPlan& minimal, int width,

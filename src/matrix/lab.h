@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -57,6 +58,13 @@ class Lab {
     Cell run(const Profile& profile, const Axes& axes, int width, int height, int frame,
              Pictures* pictures = nullptr,
              const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
+
+    /// Thread CPU time of a frame's OpenGL calls, milliseconds, drawn in several ways in turn: by @p ways, of
+    /// each @p repeats times after one that is not counted. Nothing is judged.
+    /// @pre the chip lacks nothing
+    std::vector<std::vector<double>> frameMs(const Profile& profile, const Axes& axes,
+                                             std::span<const Effects> ways, int width, int height, int frame,
+                                             int repeats);
 
     /// The full plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
