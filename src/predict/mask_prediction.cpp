@@ -192,7 +192,7 @@ struct MaskPrediction::Impl {
     };
 
     const Outcome& at(int x, int y) {
-        if (isUndrawn(x, y)) return undrawn;
+        if (isBounded && isUndrawn(x, y)) return undrawn;
         const std::uint32_t pixel = std::uint32_t(y * in.crossings.width + x);
         if (in.crossings.others.empty() || !in.crossings.others.contains(pixel))
             return of(in.crossings.exact[pixel], x, y);
@@ -222,11 +222,9 @@ struct MaskPrediction::Impl {
         const int windowY = y + plan.height - in.crossings.height;
         const int cell = (windowY % period) * period + x % period;
         const std::size_t index = std::size_t(signature) * std::size_t(period * period) + std::size_t(cell);
-        const glm::ivec2 pixel = fromBelow(x, y);
-        Outcome& outcome = isBounded ? boundedOutcomes[(std::uint64_t(index) << 32) | bounds.region(pixel)]
-                                     : outcomes[index];
+        Outcome& outcome = isBounded ? boundedOutcome(index, fromBelow(x, y)) : outcomes[index];
         if (!outcome.isKnown) {
-            current = pixel;
+            current = fromBelow(x, y);
             currentX = x % period, currentY = windowY % period;
             currentCell = cell;
             replay(in.crossings.signatures[signature], outcome);
@@ -268,6 +266,10 @@ struct MaskPrediction::Impl {
         const bool isOutside =
             extent == Extent::Shadows && !bounds.shadows(in.light).holds(current.x, current.y);
         return !isOutside && holds(extent, c);
+    }
+
+    Outcome& boundedOutcome(std::size_t index, const glm::ivec2& pixel) {
+        return boundedOutcomes[(std::uint64_t(index) << 32) | bounds.region(pixel)];
     }
 
     /// What a clear sets the mask to.

@@ -158,6 +158,15 @@ TEST_P(BoundedPasses, FillTheirPartOfTheWindow) {
     expectBounded({clearTo(0.25f)}, bounded(rectangle(), Extent::Shadows), kPart);
 }
 
+TEST_P(BoundedPasses, FillThePartOfTheVolumeThatTheyAreOf) {
+    Pass pass = bounded(rectangle(), Extent::Volumes);
+    pass.volume = 1;
+    const MaskWindow window{around(kPart, {0, 0, 9, 9}), {{0, 0, 9, 9}, kPart}};
+    Pass whole = bounded(pass, Extent::Shadows);
+    EXPECT_EQ(studio.draw({clearTo(0.25f), pass}, window).colour.data,
+              studio.draw({clearTo(0.25f), whole}, {kPart, {}}).colour.data);
+}
+
 TEST_P(BoundedPasses, DrawOneVolumeInItsRectangle) {
     for (const int volume : {0, 1})
         expectBounded({clearTo(0.25f), fillDepth()}, bounded(fronts(volume), Extent::Volumes), kPart);

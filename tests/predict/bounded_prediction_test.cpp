@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <stdexcept>
 
+#include "predict/bounded_plan.h"
 #include "predict/causes.h"
 #include "predict/mask_prediction.h"
 #include "rays.h"
@@ -51,42 +53,6 @@ Crossings twoVolumes() {
         }
         return ray;
     });
-}
-
-/// Whether @p pass clears all of the mask of @p place.
-bool startsMask(const Pass& pass, MaskPlace place) {
-    if (pass.kind != PassKind::Clear) return false;
-    return place == MaskPlace::Stencil ? pass.clearsStencil && pass.stencil.writeMask == ~0u
-           : place == MaskPlace::Alpha ? pass.write.alpha
-                                       : pass.write.red;
-}
-
-/// @p plan with its mask passes bounded to @p bounds; @p lit is what a lit pixel of the finished mask holds,
-/// as 8 bits or as a stencil value.
-Plan boundTo(Plan plan, const MaskWindow& bounds, double lit) {
-    MaskTap& tap = plan.masks.front();
-    std::size_t end = tap.after;
-    MaskPlace place = tap.place;
-    if (place == MaskPlace::Texture) {
-        while (plan.passes[end - 1].kind != PassKind::Copy) --end;
-        place = plan.passes[end - 1].texture == MaskTexture::Alpha ? MaskPlace::Alpha : MaskPlace::Colour;
-    }
-    std::size_t start = end;
-    while (!startsMask(plan.passes[start - 1], place)) --start;
-    for (std::size_t i = start; i < end; ++i) {
-        Pass& pass = plan.passes[i];
-        const bool isPlain = pass.kind == PassKind::Rectangle || pass.kind == PassKind::Clear;
-        if (pass.kind == PassKind::Volume) pass.extent = Extent::Volumes;
-        if (isPlain) pass.extent = Extent::Shadows;
-    }
-    Pass whole = plan.passes[start - 1];
-    whole.colour = glm::vec4(float(lit / 255));
-    whole.stencilValue = int(lit);
-    plan.passes[start - 1].extent = Extent::Shadows;
-    plan.passes.insert(plan.passes.begin() + std::ptrdiff_t(start - 1), whole);
-    ++tap.after;
-    plan.windows = {bounds};
-    return plan;
 }
 
 MaskWindow boundsOf(const WindowRect& first, const WindowRect& second) {
@@ -156,6 +122,33 @@ TEST_P(BoundedMask, IsTheWholeOneWhereFacesCancelOutsideOfTheirRectangles) {
     ASSERT_GE(shadows, kFirst.width * kFirst.height);
 }
 
+// What counts one volume by itself has its rectangle too.
+TEST(BoundedParity, IsTheWholeOneWithRectanglesAndClearsInTheVolumes) {
+    const Crossings crossings = twoVolumes();
+    const Plan whole = planFrame(
+        method("parity"), {.width = kWidth, .height = kHeight, .lights = {{.volumes = 2}}}, idealChip());
+    Plan bounded = boundTo(whole, kBounds, 0);
+    int volume = kAllVolumes, count = 0;
+    for (Pass& pass : bounded.passes) {
+        if (pass.kind == PassKind::Volume) volume = pass.volume;
+        if (pass.kind == PassKind::Volume || pass.extent == Extent::Whole || volume < 0) continue;
+        pass.extent = Extent::Volumes, pass.volume = volume;
+        ++count;
+    }
+    ASSERT_GE(count, 3);
+    const MaskPrediction full({.plan = whole, .crossings = crossings, .arithmetic = kEightBits}),
+        mask({.plan = bounded, .crossings = crossings, .arithmetic = kEightBits});
+    Plan lost = bounded;
+    lost.windows = {boundsOf(kFirst, {})};
+    const MaskPrediction without({.plan = lost, .crossings = crossings, .arithmetic = kEightBits});
+    for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+            ASSERT_EQ(mask.value(x, y), full.value(x, y));
+            ASSERT_EQ(without.isShadow(without.value(x, y)), kFirst.holds(x, kHeight - 1 - y));
+        }
+    }
+}
+
 // ---- A pixel too small ----
 
 /// @p r without its first or last column or row, and what that takes away.
@@ -182,11 +175,8 @@ TEST_P(BoundedMask, IsAnotherIfARectangleIsOnePixelTooSmall) {
                     const bool isLost = lost.holds(x, kHeight - 1 - y);
                     const bool differs = mask.value(x, y) != full.value(x, y);
                     EXPECT_TRUE(isLost || !differs) << x << "," << y;
-                    if (isLost) {
-                        EXPECT_EQ(mask.unlimitedCount(x, y),
-                                  full.unlimitedCount(x, y) -
-                                      full.unlimitedCount(x, y) / std::abs(full.unlimitedCount(x, y)));
-                    }
+                    const int count = full.unlimitedCount(x, y);
+                    EXPECT_EQ(mask.unlimitedCount(x, y), count - (isLost ? std::clamp(count, -1, 1) : 0));
                     const bool isLit = !mask.isShadow(mask.value(x, y));
                     differing += differs, lit += isLost && isLit, inside += isLost;
                 }
@@ -311,10 +301,17 @@ TEST(UndrawnMask, HoldsTheOneValueThatStandsForIt) {
                           {.width = kWidth, .height = kHeight, .lights = {{.volumes = 2}}}, idealChip());
     // Nothing clears what lies outside.
     plan = boundTo(plan, kBounds, 0);
+    const Pass clearAll = plan.passes.front();
     plan.passes.erase(plan.passes.begin());
     MaskTap& tap = plan.masks.front();
     --tap.after;
     tap.outside = 250;
+    // Nor does what another light's mask left there matter.
+    Pass other = plan.passes[1];
+    other.kind = PassKind::Volume, other.light = 1, other.extent = Extent::Whole;
+    plan.passes.insert(plan.passes.begin(), {clearAll, other});
+    tap.after += 2;
+    plan.windows.push_back({});
     for (const MaskChannel& arithmetic : {kEightBits, kDithered}) {
         const MaskPrediction mask({.plan = plan, .crossings = crossings, .arithmetic = arithmetic});
         const int code = arithmetic.bits() == 8 ? 250 : 31;
@@ -334,6 +331,20 @@ TEST(UndrawnMask, HoldsTheOneValueThatStandsForIt) {
         EXPECT_TRUE(mask.isShadow(mask.value(5, kHeight - 1 - 4)));
         EXPECT_NE(mask.value(5, kHeight - 1 - 4), code);
     }
+}
+
+// Faces of another light's volumes are not among the crossings.
+TEST(UndrawnMask, IsNotWhatAnotherLightLeft) {
+    Plan plan = boundTo(planOf(method("heidmann"), 2), {{0, 0, 1, 1}, {{0, 0, 1, 1}}}, 0);
+    Pass other{.kind = PassKind::Volume, .light = 1};
+    other.stencil.enabled = true;
+    plan.passes.insert(plan.passes.begin() + 1, other);
+    ++plan.masks.front().after;
+    const Crossings crossings = row({{}, {}});
+    const MaskInputs inputs{.plan = plan, .crossings = crossings, .arithmetic = kEightBits};
+    EXPECT_THROW(MaskPrediction{inputs}, std::logic_error);
+    plan.masks.front().outside = 0;
+    EXPECT_NO_THROW(MaskPrediction{inputs});
 }
 
 // ---- Where the count starts ----
