@@ -117,8 +117,9 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ReachOfRandomScenes, testing::Range(1u, 11u));
 
 /// What the crossings of one volume come to before the surface that is seen.
 struct Counted {
-    int net = 0;             ///< in exact arithmetic
-    bool isInDoubt = false;  ///< some face that counts may lie before the surface or not
+    int net = 0;                ///< in exact arithmetic
+    bool isInDoubt = false;     ///< some face that counts may lie before the surface or not
+    bool mayBeInDoubt = false;  ///< the same of a face that is not there in exact arithmetic
 };
 
 /// Faces that may not be drawn at a pixel stand there in exact arithmetic or not; otherwise they end there at
@@ -130,7 +131,8 @@ Counted counted(std::span<const Crossing> crossings) {
         bool counts = c.exact == kBefore;
         switch (c.piece) {
             case Piece::Side:
-                out.isInDoubt = out.isInDoubt || (mayCount && (c.possible & kBehind));
+                if (mayCount && (c.possible & kBehind))
+                    (c.exact == kAbsent ? out.mayBeInDoubt : out.isInDoubt) = true;
                 counts = counts || c.exact == kAt;
                 break;
             case Piece::NearCap:  // drawn where the surface is behind it
@@ -154,6 +156,9 @@ Counted counted(std::span<const Crossing> crossings) {
 struct Outside {
     std::int64_t crossed = 0;  ///< volumes by pixels outside of their windows
     std::int64_t wrong = 0;    ///< those that matter there
+    /// Those with a face that may be drawn there though it ends before: crossingsOf() lengthens the tips of
+    /// slivers by far more than a rasteriser may move corners.
+    std::int64_t beside = 0;
 };
 
 /// Holds the windows against all crossings of all rays.
@@ -171,6 +176,7 @@ void compareCrossings(const Scene& scene, const View& view, const DepthTies& tie
                     const Counted one = counted(std::span(all).subspan(first, last - first));
                     ++outside.crossed;
                     outside.wrong += one.net != 0 || one.isInDoubt;
+                    outside.beside += one.mayBeInDoubt;
                 }
             });
         }
@@ -188,14 +194,15 @@ TEST(ReachOf, LeavesOutOnlyWhatCancelsHoweverItIsDrawn) {
     }
     EXPECT_GT(outside.crossed, 10'000);
     RandomScenes scenes(77);
-    for (int i = 0; i < 4000; ++i) {
+    for (int i = 0; i < 3000; ++i) {
         const Scene scene = scenes.next();
         const std::int64_t before = outside.wrong;
         compareCrossings(scene, viewOf(scene.frames.front(), 64, 48), depthTies(i % 3 == 0 ? 16 : 24),
                          i % 4 == 0 ? Silhouette::PerTriangle : Silhouette::Winding, outside);
         EXPECT_EQ(outside.wrong, before) << "scene " << i;
     }
-    EXPECT_GT(outside.crossed, 2'000'000);
+    EXPECT_LT(outside.beside, 10);
+    EXPECT_GT(outside.crossed, 1'000'000);
 }
 
 /// Looks down on a floor from 10 above, 10 by 10 units in 80x80 pixels: 8 pixels are a unit, 40 is its
