@@ -27,7 +27,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Of a sum of products, as a share of the sum of their sizes.
 constexpr double kRounding = 1e-12;
-constexpr double kBoxRounding = 1e-12;  ///< of a coordinate
+constexpr double kBoxRounding = 1e-12;      ///< of a coordinate
 constexpr double kProductRounding = 4e-15;  ///< of a product of lengths; more than 16 roundings
 
 // Positions from here on are from the eye, homogeneous.
@@ -159,8 +159,7 @@ class Beam {
         const int n = m_front.size();
         for (int i = 0; i < n; ++i) {
             const int next = (i + 1) % n;
-            for (const auto& [a, b] :
-                 {std::pair(i, next), std::pair(n + i, n + next), std::pair(i, n + i)})
+            for (const auto& [a, b] : {std::pair(i, next), std::pair(n + i, n + next), std::pair(i, n + i)})
                 if (partsAlong(m_all, m_all[a], m_all[b], ends[1] - ends[0], ends)) return false;
         }
         return true;
@@ -169,7 +168,8 @@ class Beam {
   private:
     void bound(const glm::dvec4& p) {
         for (int k = 0; k < 3; ++k) {
-            const double at = p.w > 0 ? p[k] / p.w : std::copysign(kInfinity, p[k]), slack = kBoxRounding * std::abs(at);
+            const double at = p.w > 0 ? p[k] / p.w : std::copysign(kInfinity, p[k]),
+                         slack = kBoxRounding * std::abs(at);
             if (p.w == 0 && p[k] == 0) continue;
             m_box.low[k] = std::min(m_box.low[k], at - slack);
             m_box.high[k] = std::max(m_box.high[k], at + slack);
@@ -222,7 +222,7 @@ class Beam {
     Few<glm::dvec4, 8> m_front{};
     Few<glm::dvec4, 16> m_all{};  ///< the near corners, then the far ones
     Box m_box{};
-    Few<Plane, 58> m_planes{};    ///< of the beam of the whole patch
+    Few<Plane, 58> m_planes{};  ///< of the beam of the whole patch
     std::optional<Plane> m_frontPlane{};
     Few<Plane, 16> m_frontPlanes{};  ///< of the beam of the near polygon, made when first asked for
     bool m_hasFrontPlanes = false;
@@ -441,8 +441,7 @@ double gapBetween(const NearRectangle& rectangle, std::span<const glm::dvec3> po
             if (glm::dot(n, rays[i]) < -1e-14 * glm::length(rays[i])) return;
             nearest = std::min(nearest, glm::dot(n, points[i]));
         }
-        for (const glm::dvec3& corner : rectangle.corners)
-            farthest = std::max(farthest, glm::dot(n, corner));
+        for (const glm::dvec3& corner : rectangle.corners) farthest = std::max(farthest, glm::dot(n, corner));
         widest = std::max(widest, nearest - farthest);
     };
     const auto tryBoth = [&](const glm::dvec3& direction) { tryOne(direction), tryOne(-direction); };

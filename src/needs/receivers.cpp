@@ -85,8 +85,7 @@ struct Piece {
 
 class Receivers::Builder {
   public:
-    Builder(const SeenWindow& window, Receivers& out)
-        : m_window(window), m_view(window.view()), m_out(out) {}
+    Builder(const SeenWindow& window, Receivers& out) : m_window(window), m_view(window.view()), m_out(out) {}
 
     void build() {
         m_out.m_columns = (m_view.width + kBlock - 1) / kBlock;
@@ -133,10 +132,9 @@ class Receivers::Builder {
             last = std::size_t(found - m_pieces.begin());
             if (found == m_pieces.end()) {
                 const glm::dvec2 rise = -seen.slope / m_view.nearPlane;
-                m_pieces.push_back(
-                    {.face = seen.face,
-                     .inverse = {rise.x, rise.y, seen.inverse - rise.x * x - rise.y * y},
-                     .slope = glm::length(seen.slope)});
+                m_pieces.push_back({.face = seen.face,
+                                    .inverse = {rise.x, rise.y, seen.inverse - rise.x * x - rise.y * y},
+                                    .slope = glm::length(seen.slope)});
             }
         }
         m_pieces[last].where.include(x, y);
