@@ -138,23 +138,31 @@ struct FramePredictor::Impl {
         return indices;
     }
 
-    Foreseen foresee(const PlannedMask& of) {
+    Foreseen foresee(const PlannedMask& of, const Truth& truth) {
         Predicted predicted(*this, of);
-        std::vector<bool> shadow(of.truth.blocked.size());
+        std::vector<bool> shadow(truth.blocked.size());
         for (std::size_t p = 0; p < shadow.size(); ++p) shadow[p] = predicted.window.shadow(p);
         const Judgement judgement =
-            judge(of.truth, shadow, of.axes.maskDivisor, of.axes.arithmetic != Arithmetic::Count);
+            judge(truth, shadow, of.axes.maskDivisor, of.axes.arithmetic != Arithmetic::Count);
         Foreseen out{.wrong = judgement.wrong()};
         if (of.axes.maskDivisor != 1) return out;
         for (std::size_t p = 0; p < shadow.size(); ++p) {
-            if (judgement.pixels[p] != PixelVerdict::Right || of.truth.facesAway[p]) continue;
-            const int x = int(p) % of.truth.width, y = int(p) / of.truth.width;
+            if (judgement.pixels[p] != PixelVerdict::Right || truth.facesAway[p]) continue;
+            const int x = int(p) % truth.width, y = int(p) / truth.width;
             const auto values = predicted.mask.values(x, y);
             out.doubtful += std::any_of(values.begin(), values.end(), [&](int value) {
-                return predicted.mask.isShadow(value) != of.truth.blocked[p];
+                return predicted.mask.isShadow(value) != truth.blocked[p];
             });
         }
         return out;
+    }
+
+    bool reachesLimit(const PlannedMask& of) {
+        const Predicted predicted(*this, of);
+        for (int y = 0; y < predicted.mask.height(); ++y)
+            for (int x = 0; x < predicted.mask.width(); ++x)
+                if (predicted.mask.isStuck(x, y)) return true;
+        return false;
     }
 
     Explained explain(const RenderedMask& mask) {
@@ -225,8 +233,12 @@ void FramePredictor::select(const View& view) {
     m_impl->windows.clear();
 }
 
-Foreseen FramePredictor::foresee(const PlannedMask& mask) {
-    return m_impl->foresee(mask);
+Foreseen FramePredictor::foresee(const PlannedMask& mask, const Truth& truth) {
+    return m_impl->foresee(mask, truth);
+}
+
+bool FramePredictor::reachesLimit(const PlannedMask& mask) {
+    return m_impl->reachesLimit(mask);
 }
 
 Explained FramePredictor::explain(const RenderedMask& mask) {

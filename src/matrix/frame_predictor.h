@@ -47,7 +47,6 @@ struct PlannedMask {
     const BufferFormat& format;
     const ChipArithmetic& chip;
     int light = 0;
-    const Truth& truth;
     std::span<const std::uint32_t> ordinals{};  ///< as of RenderedMask
     bool leavesOut = false;                     ///< likewise
 };
@@ -72,7 +71,11 @@ class FramePredictor {
     Explained explain(const RenderedMask& mask);
 
     /// @pre the mask is counted by volumes
-    Foreseen foresee(const PlannedMask& mask);
+    Foreseen foresee(const PlannedMask& mask, const Truth& truth);
+
+    /// Whether the mask may come to its limit in any pixel, so that an entry or an exit is lost.
+    /// @pre the mask is counted by volumes
+    bool reachesLimit(const PlannedMask& mask);
 
   private:
     struct Impl;

@@ -284,12 +284,35 @@ struct Lab::Impl {
                                       .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
                                       .full = full});
             }
+            if (hasVolumes && isTooDeep(profile, axes, one.full))
+                one.reachesLimit = reachesLimit(profile, axes, i);
             one.brightest = brightestOf(coloursOf(i)->diffuse);
             all.lights.push_back(std::move(one));
         }
         all.brightestAmbient = brightestOf(surfacesOf().ambient);
         all.nearestSurface = needs->nearestSurface();
         return all;
+    }
+
+    /// Whether the bounds allow that the method's count loses entries or exits.
+    bool isTooDeep(const Profile& profile, const Axes& axes, const Nesting& nesting) {
+        const Plan plan = planOf(profile, axes);
+        const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
+        return nestingWarning(capacity(axes, profile, doubled), nesting).has_value();
+    }
+
+    /// The same in exact arithmetic.
+    bool reachesLimit(const Profile& profile, const Axes& axes, int index) {
+        const BufferFormat format = bufferFormatOf(profile);
+        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        const Plan plan = planOf(profile, axes);
+        return predictorOf().reachesLimit(
+            {.plan = plan,
+             .axes = axes,
+             .format = format,
+             .chip = chip,
+             .light = index,
+             .ordinals = volumesOf(index, volumeKey(profile, axes, index))->ordinals});
     }
 
     Drawing drawingOf(const Profile& profile, const Axes& axes) {
@@ -317,9 +340,9 @@ struct Lab::Impl {
                                                         .format = format,
                                                         .chip = chip,
                                                         .light = tap.light,
-                                                        .truth = *truth,
                                                         .ordinals = drawn->ordinals,
-                                                        .leavesOut = !drawing.isFull});
+                                                        .leavesOut = !drawing.isFull},
+                                                       *truth);
             all.wrong += one.wrong, all.doubtful += one.doubtful;
         }
         return all;

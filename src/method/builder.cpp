@@ -166,7 +166,6 @@ void PlanBuilder::countInStencil(int light) {
         return zfail ? StencilSide{.onDepthFail = op} : StencilSide{.onPass = op};
     };
     const int volumes = shape(light).volumes;
-    const Parts parts = partsOf(axes.count);
     const Parts open = this->open(light);
 
     if (axes.count == Count::PlusPlusZp) {
@@ -192,10 +191,10 @@ void PlanBuilder::countInStencil(int light) {
         Parts parts{};
         Compare function = Compare::Lequal;
     };
-    std::vector<Group> groups{{zfail                           ? open
-                               : axes.count == Count::ZpassCap ? open | Part::NearCap
-                               : axes.count == Count::ZpPlus   ? open
-                                                               : parts,
+    std::vector<Group> groups{{zfail                             ? open
+                               : axes.count == Count::ZpassCap   ? open | Part::NearCap
+                               : axes.count == Count::PlusPlusZp ? open | Part::NearFaces
+                                                                 : open,
                                Compare::Lequal}};
     if (zfail) groups.push_back({Part::LightCap, Compare::Less});
     const auto pass = [&](Faces faces, const Group& group, StencilOp front, StencilOp back,

@@ -147,6 +147,10 @@ class Planner {
         return light.nearDistances[volume] <= 0;
     }
 
+    /// Whether the full plan's count may lose entries or exits.
+    bool isTooDeep(const LightNeeds& light) const {
+        return light.reachesLimit.value_or(isTooDeep(m_axes, light.full));
+    }
     bool isTooDeep(const Axes& axes, const Nesting& nesting) const {
         return nestingWarning(capacity(axes, m_profile, m_doubles), nesting).has_value();
     }
@@ -204,7 +208,7 @@ class Planner {
         for (const LightNeeds& light : m_needs.lights) {
             if (!light.isClosed) return "the volumes are not closed";
             if (light.eyeIsOnFace) return "the eye is on a face of a volume";
-            if (isTooDeep(m_axes, light.full) || isTooDeep(simpler, light.fromEye))
+            if (isTooDeep(light) || isTooDeep(simpler, light.fromEye))
                 return "volumes may nest deeper than the method holds";
         }
         const FrameShape one = oneLight(1);
@@ -233,7 +237,7 @@ class Planner {
     std::optional<std::string> noWindows(const LightNeeds& light, int holdingEye) const {
         if (!light.isClosed) return "the volumes are not closed";
         if (light.eyeIsOnFace) return "the eye is on a face of a volume";
-        if (isTooDeep(m_axes, light.full)) return "volumes may nest deeper than the method holds";
+        if (isTooDeep(light)) return "volumes may nest deeper than the method holds";
         bool touching = false;
         for (std::size_t v = 0; v < light.isDrawn.size(); ++v)
             touching = touching || (light.isDrawn[v] && touchesNear(light, v));
@@ -330,7 +334,7 @@ class Planner {
             const LightNeeds& light = m_needs.lights[i];
             bound =
                 std::max(bound, out.axes.count == Count::Zfail ? light.full.levels : light.fromEye.levels);
-            isKnown = isKnown && !isTooDeep(m_axes, light.full);
+            isKnown = isKnown && !isTooDeep(light);
         }
         const std::string fact =
             fmt::format("at most {} of volumes nest", counted(std::size_t(bound), "level"));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,8 +22,11 @@ struct LightNeeds {
     bool isClosed = true;                 ///< the faces of each volume close it
     bool eyeIsOnFace = false;             ///< of a volume
     bool seesBackground = true;           ///< somewhere in the windows
-    Nesting full{};                       ///< of all volumes, from the end from which the full plan counts
-    Nesting fromEye{};                    ///< of those with a window
+    /// Whether any pixel of the full plan's mask may come to its limit, so that an entry or an exit is lost;
+    /// if that is known. Else the bounds below tell.
+    std::optional<bool> reachesLimit{};
+    Nesting full{};     ///< of all volumes, from the end from which the full plan counts
+    Nesting fromEye{};  ///< of those with a window
 };
 
 /// What is known of one frame.

@@ -16,6 +16,21 @@
 namespace gnomon {
 namespace {
 
+/// Where a volume comes from.
+struct VolumeOrigin {
+    std::uint32_t caster = 0, triangle = 0;
+};
+
+/// Of each volume, as the predictor and FrameVolumes::ordinals number them.
+std::vector<VolumeOrigin> volumesOf(std::span<const LitCaster> lit) {
+    std::vector<VolumeOrigin> origins;
+    for (std::uint32_t c = 0; c < lit.size(); ++c) {
+        const std::size_t volumes = lit[c].perTriangle ? lit[c].lit.size() : !lit[c].lit.empty();
+        for (std::uint32_t t = 0; t < volumes; ++t) origins.push_back({c, t});
+    }
+    return origins;
+}
+
 /// What is reached in one frame, and by which volumes.
 struct Reached {
     std::vector<LitCaster> lit{};
