@@ -47,14 +47,16 @@ std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int w
         option.missing = lacks(option.axes);
         if (option.missing.empty()) {
             option.plan = lab.minimalPlan(profile, option.axes, width, height, frame);
-            for (const DrawnAmount& pass : lab.amounts(profile, option.plan, width, height, frame))
-                option.touched += pass.pixels;
+            for (const DrawnAmount& pass : lab.amounts(profile, option.plan, width, height, frame)) {
+                option.amount.pixels += pass.pixels;
+                option.amount.vertices += pass.vertices;
+            }
         }
         found.push_back(std::move(option));
     }
     std::stable_sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
         const auto key = [](const Option& o) {
-            return std::tuple(!o.missing.empty(), o.touched.total(), passesOf(o));
+            return std::tuple(!o.missing.empty(), o.amount.pixels.total(), o.amount.vertices, passesOf(o));
         };
         return key(a) < key(b);
     });

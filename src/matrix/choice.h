@@ -13,11 +13,11 @@ struct Option {
     Axes axes{};                     ///< of the row; doubling has the levels that the frame calls for
     std::vector<Missing> missing{};  ///< what the chip lacks; then there is no more
     MinimalPlan plan{};
-    TouchedPixels touched{};
+    DrawnAmount amount{};  ///< of the minimal plan
 };
 
-/// All named methods but none, in one shade, cheapest first: by touched pixels, passes, and the order of the
-/// table. Those that the chip can't run come last.
+/// All named methods but none, in one shade, cheapest first: by touched pixels, vertices, passes, and the
+/// order of the table. Those that the chip can't run come last.
 std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int width, int height, int frame);
 
 struct Choice {
