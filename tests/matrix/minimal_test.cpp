@@ -2,36 +2,13 @@
 // and hard case, chips of each kind, every method, along the camera path. GNOMON_MINIMAL=all in the
 // environment makes it all chips and frames.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <set>
-
-#include "matrix/choice.h"
-#include "scenes.h"
+#include "shipped_scenes.h"
 
 namespace gnomon {
 namespace {
-
-bool isAll() {
-    const char* wanted = std::getenv("GNOMON_MINIMAL");
-    return wanted && std::string(wanted) == "all";
-}
-
-std::vector<Profile> chips() {
-    if (isAll()) {
-        std::vector<Profile> all;
-        for (const std::string& id : profileIds(kSource / "profiles")) all.push_back(chip(id));
-        return all;
-    }
-    return {chip("ideal"), chip("voodoo2"), chip("ps2"), chip("tnt"), chip("psp-5551")};
-}
-
-std::vector<std::string> sceneNames() {
-    std::vector<std::string> all = sceneIds(kSource / "scenes");
-    for (const std::string& id : hardSceneIds(kSource / "scenes")) all.push_back(id);
-    return all;
-}
 
 struct Shown {
     Cell cell{};
@@ -65,11 +42,10 @@ class MinimalPlans : public testing::TestWithParam<std::string> {};
 TEST_P(MinimalPlans, ShowWhatFullPlansShow) {
     Lab lab(shippedScene(GetParam()));
     const int frames = int(lab.scene().frames.size());
-    const int step = isAll() ? 1 : std::max(1, frames / 3);
+    const int step = wantsAllChips() ? 1 : std::max(1, frames / 3);
     std::int64_t touchedByFull = 0, touchedByLeast = 0;
     for (int frame = 0; frame < frames; frame += step) {
-        for (const Profile& profile : chips()) {
-            std::set<std::string> digests;
+        for (const Profile& profile : chipsOfEachKind()) {
             for (const NamedMethod& named : namedMethods()) {
                 if (named.axes.automatic) continue;
                 const Shown full = drawn(lab, Effects::all(), profile, named.axes, frame);
@@ -83,12 +59,8 @@ TEST_P(MinimalPlans, ShowWhatFullPlansShow) {
     EXPECT_LE(touchedByLeast, touchedByFull);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, MinimalPlans, testing::ValuesIn(sceneNames()), [](const auto& test) {
-    std::string name = test.param;
-    for (char& c : name)
-        if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    return name;
-});
+INSTANTIATE_TEST_SUITE_P(Scenes, MinimalPlans, testing::ValuesIn(allSceneIds()),
+                         [](const auto& test) { return testNameOf(test.param); });
 
 // Each effect by itself, kept though nothing calls for it.
 TEST(MinimalPlan, IsTheFullOneWithAnyEffectsKept) {
