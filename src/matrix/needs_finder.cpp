@@ -34,6 +34,10 @@ bool areClosed(const Scene& scene, std::span<const LitCaster> lit, const glm::ve
         [](const LitCaster& a, const LitCaster& b) { return sortedSides(a) == sortedSides(b); });
 }
 
+bool overlap(const WindowRect& a, const WindowRect& b) {
+    return a.x < b.x + b.width && b.x < a.x + a.width && a.y < b.y + b.height && b.y < a.y + a.height;
+}
+
 /// The casters of those volumes that have a window.
 std::vector<LitCaster> thatMatter(std::span<const LitCaster> lit, const std::vector<WindowRect>& windows) {
     std::vector<LitCaster> kept;
@@ -61,7 +65,8 @@ struct NeedsFinder::Impl {
     /// What is known of the volumes of one light, whatever counts them.
     struct Known {
         Reach reach{};
-        bool isClosed = true, eyeIsOnFace = false, seesBackground = true;
+        bool isClosed = true, eyeIsOnFace = false;
+        bool seesBackground = true, seesBackgroundInWindows = true;
         Nesting fromEye{};
     };
     using ViewKey = std::tuple<int, int, DepthEncoding>;  ///< divisor of the mask, depth
@@ -96,8 +101,15 @@ struct NeedsFinder::Impl {
         k.reach = reachOf(scene, of.lit, light, mask, seen);
         k.isClosed = !mayBeOpen(of.axes.silhouette) || areClosed(scene, of.lit, light);
         k.eyeIsOnFace = onVolumeFace(scene, of.lit, light, view.eye);
-        k.seesBackground = std::any_of(seen.blocks().begin(), seen.blocks().end(),
-                                       [](const Receivers::Block& block) { return block.seesBackground; });
+        const auto anyBlock = [&](const auto& isMeant) {
+            return std::any_of(
+                seen.blocks().begin(), seen.blocks().end(),
+                [&](const Receivers::Block& block) { return block.seesBackground && isMeant(block.pixels); });
+        };
+        k.seesBackground = anyBlock([](const WindowRect&) { return true; });
+        WindowRect all;
+        for (const WindowRect& window : k.reach.windows) all = around(all, window);
+        k.seesBackgroundInWindows = anyBlock([&](const WindowRect& block) { return overlap(all, block); });
         k.fromEye = nesting(scene, thatMatter(of.lit, k.reach.windows), light, mask);
         return k;
     }
@@ -129,6 +141,7 @@ LightNeeds NeedsFinder::volumes(const NeedsOf& of) {
     needs.isClosed = known.isClosed;
     needs.eyeIsOnFace = known.eyeIsOnFace;
     needs.seesBackground = known.seesBackground;
+    needs.seesBackgroundInWindows = known.seesBackgroundInWindows;
     needs.full = of.full;
     needs.fromEye = known.fromEye;
     return needs;

@@ -270,7 +270,9 @@ class Planner {
         if (open) fact += fmt::format("; {} open at the near plane", counted(open, "volume"));
         note(Effect::Volumes, lightOf(i), gone == 0, fact);
 
-        chooseFarCaps(index);
+        const bool isWindowed =
+            !obstacle && open == 0 && !m_wanted.has(Effect::Volumes) && !m_wanted.has(Effect::Window);
+        chooseFarCaps(index, isWindowed ? light.seesBackgroundInWindows : light.seesBackground);
         LightShape& shape = m_shape.lights[i];
         shape.volumes = int(kept.size());
         if (m_wanted.has(Effect::Window))
@@ -311,19 +313,18 @@ class Planner {
     }
 
     /// Far caps lie at infinity: seen from the eye they are before nothing but the background.
-    void chooseFarCaps(int index) {
-        const LightNeeds& light = m_needs.lights[std::size_t(index)];
+    void chooseFarCaps(int index, bool seesBackground) {
         const bool fromInfinity = out.axes.count == Count::Zfail;
         const bool isCalledFor =
-            fromInfinity || light.seesBackground || m_full.lights[std::size_t(index)].directional;
+            fromInfinity || seesBackground || m_full.lights[std::size_t(index)].directional;
         m_shape.lights[std::size_t(index)].withoutFarCaps = !isCalledFor && !m_wanted.has(Effect::FarCaps);
         if (m_full.lights[std::size_t(index)].directional)
             return note(Effect::FarCaps, lightOf(std::size_t(index)), false,
                         "the volumes of a directional light meet at infinity");
         note(Effect::FarCaps, lightOf(std::size_t(index)), isCalledFor || m_wanted.has(Effect::FarCaps),
-             fromInfinity           ? "z-fail counts them"
-             : light.seesBackground ? "the background is seen where volumes matter"
-                                    : "no background is seen where volumes matter");
+             fromInfinity     ? "z-fail counts them"
+             : seesBackground ? "the background is seen where volumes matter"
+                              : "no background is seen where volumes matter");
     }
 
     void chooseLevels() {

@@ -21,7 +21,8 @@ struct LightNeeds {
     std::vector<bool> isDrawn{};          ///< by the full plan: some face is in the window
     bool isClosed = true;                 ///< the faces of each volume close it
     bool eyeIsOnFace = false;             ///< of a volume
-    bool seesBackground = true;           ///< somewhere in the windows
+    bool seesBackground = true;           ///< some pixel does
+    bool seesBackgroundInWindows = true;  ///< some pixel in a volume's window does
     /// Whether any pixel of the full plan's mask may come to its limit, so that an entry or an exit is lost;
     /// if that is known. Else the bounds below tell.
     std::optional<bool> reachesLimit{};

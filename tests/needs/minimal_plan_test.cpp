@@ -21,7 +21,7 @@ FrameNeeds needsOf(std::vector<WindowRect> windows, std::vector<double> distance
     light.isDrawn.assign(windows.size(), true);
     light.windows = std::move(windows), light.nearDistances = std::move(distances);
     light.full = light.fromEye = {.fronts = 1, .backs = 1, .ownFronts = 1, .overlap = 1, .levels = 1};
-    light.seesBackground = false;
+    light.seesBackground = light.seesBackgroundInWindows = false;
     return {.lights = {light}, .brightestAmbient = 51, .nearestSurface = 2};
 }
 
@@ -160,6 +160,11 @@ TEST(MinimalPlanFarCaps, AreDrawnWhereTheBackgroundIsSeen) {
     };
     EXPECT_FALSE(draws(minimal("heidmann", needs)));
     needs.lights[0].seesBackground = true;
+    EXPECT_FALSE(draws(minimal("heidmann", needs))) << "but not where the volume is drawn";
+    Effects whole;
+    whole.add(Effect::Window);
+    EXPECT_TRUE(draws(minimal("heidmann", needs, whole)));
+    needs.lights[0].seesBackgroundInWindows = true;
     EXPECT_TRUE(draws(minimal("heidmann", needs)));
 }
 
