@@ -80,17 +80,30 @@ struct Box {
     void include(const Box& other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
 };
 
-bool isBeyond(const Plane& plane, const Box& box) {
-    const glm::dvec3 nearest(plane.normal.x > 0 ? box.low.x : box.high.x,
-                             plane.normal.y > 0 ? box.low.y : box.high.y,
-                             plane.normal.z > 0 ? box.low.z : box.high.z);
-    return plane.side(finite(nearest)) > 0;
-}
+/// A plane to hold boxes against, quickly.
+struct BoxPlane {
+    glm::dvec3 normal{}, size{};  ///< its components without signs
+    double height = 0;            ///< less all rounding
+
+    /// @param farthest  no coordinate of a box lies farther away
+    BoxPlane() = default;
+    BoxPlane(const Plane& plane, double farthest) : normal(plane.normal), size(glm::abs(plane.normal)) {
+        const double slack = kRounding * (std::abs(plane.height) + farthest * (size.x + size.y + size.z)) +
+                             3 * plane.normalError * farthest + plane.heightError;
+        height = plane.height - 2 * slack;
+    }
+
+    bool hasBeyond(const glm::dvec3& middle, const glm::dvec3& half) const {
+        return glm::dot(normal, middle) + height > glm::dot(size, half);
+    }
+};
 
 /// The convex hull of a patch and the light.
 class Beam {
   public:
-    Beam(std::span<const Receivers::Corner> corners, const glm::dvec4& light) : m_light(light) {
+    /// @param farthest  no coordinate of a box lies farther away
+    Beam(std::span<const Receivers::Corner> corners, const glm::dvec4& light, double farthest)
+        : m_light(light) {
         for (const Receivers::Corner& c : corners) m_front.push_back({c.direction, c.nearer});
         for (const Receivers::Corner& c : corners) m_all.push_back({c.direction, c.nearer});
         for (const Receivers::Corner& c : corners) m_all.push_back({c.direction, c.farther});
@@ -110,13 +123,21 @@ class Beam {
         addFace(facing(planeOf(n)));
         for (int i = 0; i < n; ++i)
             addFace(facing({glm::cross(glm::dvec3(m_front[i]), glm::dvec3(m_front[(i + 1) % n])), 0}));
+        for (const Plane& plane : m_planes) m_boxPlanes.push_back({plane, farthest});
     }
 
-    bool misses(const Box& box) const {
+    bool misses(const Box& box) {
         for (int k = 0; k < 3; ++k)
             if (box.low[k] > m_box.high[k] || box.high[k] < m_box.low[k]) return true;
-        return std::any_of(m_planes.begin(), m_planes.end(),
-                           [&](const Plane& plane) { return isBeyond(plane, box); });
+        const glm::dvec3 middle = 0.5 * (box.low + box.high), half = 0.5 * (box.high - box.low);
+        // What parted the last box from the beam is likely to part this one.
+        const int count = m_boxPlanes.size();
+        for (int i = 0, at = m_parting; i < count; ++i, at = at + 1 < count ? at + 1 : 0) {
+            if (!m_boxPlanes[at].hasBeyond(middle, half)) continue;
+            m_parting = at;
+            return true;
+        }
+        return false;
     }
 
     /// Whether the lit triangle may come between the light and some point just before a surface.
@@ -222,7 +243,9 @@ class Beam {
     Few<glm::dvec4, 8> m_front{};
     Few<glm::dvec4, 16> m_all{};  ///< the near corners, then the far ones
     Box m_box{};
-    Few<Plane, 58> m_planes{};  ///< of the beam of the whole patch
+    Few<Plane, 58> m_planes{};        ///< of the beam of the whole patch
+    Few<BoxPlane, 58> m_boxPlanes{};  ///< the same
+    int m_parting = 0;                ///< of these
     std::optional<Plane> m_frontPlane{};
     Few<Plane, 16> m_frontPlanes{};  ///< of the beam of the near polygon, made when first asked for
     bool m_hasFrontPlanes = false;
@@ -238,7 +261,7 @@ class Tree {
 
     /// Calls @p visit with each item whose box the beam may meet, until it returns true; whether it did.
     template <class Visit>
-    bool find(const Beam& beam, const Visit& visit) const {
+    bool find(Beam& beam, const Visit& visit) const {
         if (m_nodes.empty()) return false;
         std::uint32_t open[64];
         int count = 0;
@@ -388,7 +411,12 @@ bool holds(const WindowRect& outer, const WindowRect& inner) {
 std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& light,
                                   const Receivers& receivers) {
     std::vector<Box> boxes;
-    for (const Volume& volume : all) boxes.push_back(volume.box());
+    double farthest = 0;
+    for (const Volume& volume : all) {
+        boxes.push_back(volume.box());
+        const glm::dvec3 most = glm::max(glm::abs(volume.box().low), glm::abs(volume.box().high));
+        farthest = std::max({farthest, most.x, most.y, most.z});
+    }
     const Tree tree(std::move(boxes));
     std::vector<WindowRect> windows(all.size());
     // In leaps over the window, so that rectangles grow early: what they hold is not asked again.
@@ -397,7 +425,7 @@ std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& li
     while (std::gcd(leap, count) != 1) ++leap;
     for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + leap) % count) {
         const Receivers::Patch& patch = receivers.patches()[at];
-        Beam beam(receivers.corners(patch), light);
+        Beam beam(receivers.corners(patch), light, farthest);
         tree.find(beam, [&](std::uint32_t v) {
             if (!holds(windows[v], patch.pixels) && all[v].reaches(beam))
                 windows[v] = windows[v].empty() ? patch.pixels : around(windows[v], patch.pixels);
