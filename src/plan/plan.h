@@ -248,6 +248,10 @@ bool isShadow(const Plan& plan, const MaskTap& tap, double value, int reference)
 /// One line in OpenGL's terms: "depth LEQUAL, blend DST_COLOR ONE, colour 1 1 1, write RGB".
 std::string describeState(const Pass& pass);
 
+/// Whether a scene pass draws what lies at infinity too, over the whole window: wherever it meets a mask that
+/// stands in the colour buffer.
+bool drawsBackdrop(const Pass& pass);
+
 /// Whether @p value passes a test of @p function against @p reference.
 bool passes(Compare function, float value, float reference);
 
