@@ -8,6 +8,7 @@ namespace gnomon {
 void addMatrix(CLI::App& app, int& status);
 void addRender(CLI::App& app, int& status);
 void addPlan(CLI::App& app, int& status);
+void addAdvise(CLI::App& app, int& status);
 void addProfiles(CLI::App& app, int& status);
 void addMethods(CLI::App& app, int& status);
 void addScenes(CLI::App& app, int& status);

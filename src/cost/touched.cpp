@@ -11,13 +11,6 @@
 namespace gnomon {
 namespace {
 
-/// Whether the scene pass draws what lies at infinity too: wherever it meets a mask in the colour buffer.
-bool drawsBackdrop(const Pass& pass) {
-    if (!pass.write.any() || pass.target == Target::DepthMap || pass.shading == Shading::Mask) return false;
-    return pass.program == Program::ShadeCount ||
-           (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
-}
-
 /// Measures passes; what several of them draw into the same rectangle is measured once.
 class Measure {
   public:

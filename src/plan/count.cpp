@@ -63,6 +63,13 @@ bool passes(Compare function, float value, float reference) {
     return true;
 }
 
+bool drawsBackdrop(const Pass& pass) {
+    if (pass.kind != PassKind::Scene || pass.target == Target::DepthMap || !pass.write.any()) return false;
+    if (pass.shading == Shading::Mask) return false;
+    return pass.program == Program::ShadeCount ||
+           (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
+}
+
 bool isShadow(const Plan& plan, const MaskTap& tap, double value, int reference) {
     switch (tap.place) {
         case MaskPlace::Stencil:

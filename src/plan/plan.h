@@ -258,6 +258,10 @@ std::string describeState(const Pass& pass, std::span<const MaskWindow> windows 
 /// @param windows  of the pass's plan
 std::optional<WindowRect> scissorOf(const Pass& pass, std::span<const MaskWindow> windows);
 
+/// Whether a scene pass draws what lies at infinity too, over the whole window: wherever it meets a mask that
+/// stands in the colour buffer.
+bool drawsBackdrop(const Pass& pass);
+
 /// Whether @p value passes a test of @p function against @p reference.
 bool passes(Compare function, float value, float reference);
 

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cctype>
 
+#include "report/plan_notes.h"
+
 namespace gnomon {
 namespace {
-
-constexpr std::size_t kShownVolumes = 8;  ///< a level has thousands
 
 /// "GL_DST_COLOR" of "dst_color".
 template <class Word>
@@ -38,12 +38,6 @@ std::string glEquation(BlendEquation e) {
     const bool known =
         e == BlendEquation::Add || e == BlendEquation::Subtract || e == BlendEquation::ReverseSubtract;
     return known ? fmt::format("GL_FUNC_{}", glWord(e).substr(3)) : "";
-}
-
-bool drawsBackdrop(const Pass& pass) {
-    return pass.kind == PassKind::Scene && pass.write.any() && pass.shading != Shading::Mask &&
-           (pass.program == Program::ShadeCount ||
-            (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor));
 }
 
 bool isTextured(const Pass& pass) {

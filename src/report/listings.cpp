@@ -62,25 +62,6 @@ std::string equationsOf(const Profile& p, bool shortly) {
     return fmt::format("{}", fmt::join(words, " "));
 }
 
-std::string kindName(PassKind kind) {
-    switch (kind) {
-        case PassKind::Clear:
-            return "clear";
-        case PassKind::Scene:
-            return "scene";
-        case PassKind::Volume:
-            return "volume";
-        case PassKind::Rectangle:
-            return "rectangle";
-        case PassKind::Copy:
-            return "copy";
-    }
-    return {};
-}
-
-/// Volume passes beyond these are folded in the text: a level has thousands.
-constexpr std::size_t kShownVolumes = 8;
-
 std::string counted(int number, const char* one, const char* many) {
     return fmt::format("{} {}", number, number == 1 ? one : many);
 }
@@ -292,6 +273,22 @@ std::string scenesJson(const std::vector<Scene>& scenes) {
 }
 
 }  // namespace
+
+std::string kindName(PassKind kind) {
+    switch (kind) {
+        case PassKind::Clear:
+            return "clear";
+        case PassKind::Scene:
+            return "scene";
+        case PassKind::Volume:
+            return "volume";
+        case PassKind::Rectangle:
+            return "rectangle";
+        case PassKind::Copy:
+            return "copy";
+    }
+    return {};
+}
 
 std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
     const bool text = format == Format::Text;

@@ -29,6 +29,9 @@ std::string listAxisValues(Format format);
 /// own, with what is hard. One hard case alone comes with its promises.
 std::string listScenes(const std::vector<Scene>& scenes, Format format);
 
+/// "clear", "scene", "volume", "rectangle", "copy".
+std::string kindName(PassKind kind);
+
 /// The plan of one frame, with what it is a plan of.
 struct PlanSheet {
     std::string method{}, shade{}, profile{}, scene{};

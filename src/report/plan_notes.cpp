@@ -119,7 +119,7 @@ std::string lightText(const EffectNote& note, bool severalLights) {
 
 /// The effects of which @p wanted is true, one per line under a head.
 template <class Wanted>
-std::string effectsText(const char* head, const std::vector<EffectNote>& effects, const Wanted& wanted) {
+std::string sectionText(const char* head, const std::vector<EffectNote>& effects, const Wanted& wanted) {
     const bool severalLights =
         std::any_of(effects.begin(), effects.end(), [](const EffectNote& note) { return note.light > 0; });
     std::string text;
@@ -130,15 +130,14 @@ std::string effectsText(const char* head, const std::vector<EffectNote>& effects
     return text.empty() ? text : fmt::format("\n{}\n{}", head, text);
 }
 
-/// "0.43", or "-" where there is nothing to compare with.
-std::string shareText(std::int64_t part, std::int64_t whole) {
-    return whole == 0 ? "-" : fmt::format("{:.2f}", double(part) / double(whole));
-}
-
 }  // namespace
 
 std::string rectText(const WindowRect& rect) {
     return rect.empty() ? "no pixel" : fmt::format("{}x{} at {},{}", rect.width, rect.height, rect.x, rect.y);
+}
+
+std::string ratioText(std::int64_t part, std::int64_t whole) {
+    return whole == 0 ? "-" : fmt::format("{:.2f}", double(part) / double(whole));
 }
 
 DrawnAmount sumOf(const std::vector<DrawnAmount>& amounts) {
@@ -165,14 +164,20 @@ std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<Eff
     return {};
 }
 
+std::string effectsText(const std::vector<EffectNote>& effects) {
+    std::string text;
+    text += sectionText("Left out", effects, [](const EffectNote& n) { return !n.isDrawn; });
+    text += sectionText("Called for by the frame", effects,
+                        [](const EffectNote& n) { return n.isDrawn && !n.isAsked; });
+    text += sectionText("Kept though nothing calls for it, as --effects says", effects,
+                        [](const EffectNote& n) { return n.isDrawn && n.isAsked; });
+    return text;
+}
+
 std::string notesText(const Plan& plan, const PlanNotes& notes) {
     std::string text;
     if (!notes.drawnAs.empty()) text += fmt::format("\nDrawn as {}\n", notes.drawnAs);
-    text += effectsText("Left out", notes.effects, [](const EffectNote& n) { return !n.isDrawn; });
-    text += effectsText("Called for by the frame", notes.effects,
-                        [](const EffectNote& n) { return n.isDrawn && !n.isAsked; });
-    text += effectsText("Kept though nothing calls for it, as --effects says", notes.effects,
-                        [](const EffectNote& n) { return n.isDrawn && n.isAsked; });
+    text += effectsText(notes.effects);
 
     const PassCounts mine = countPasses(plan), full = countPasses(notes.full);
     const DrawnAmount amount = sumOf(notes.amounts);
@@ -180,7 +185,7 @@ std::string notesText(const Plan& plan, const PlanNotes& notes) {
     std::vector<std::vector<std::string>> rows{{"", "minimal", "full", "ratio"}};
     const auto row = [&](const char* what, std::int64_t part, std::int64_t whole) {
         if (part == 0 && whole == 0) return;
-        rows.push_back({what, fmt::format("{}", part), fmt::format("{}", whole), shareText(part, whole)});
+        rows.push_back({what, fmt::format("{}", part), fmt::format("{}", whole), ratioText(part, whole)});
     };
     row("scene passes", mine.scene, full.scene);
     row("volume passes", mine.volume, full.volume);

@@ -10,6 +10,9 @@
 
 namespace gnomon {
 
+/// Volume passes beyond these are folded in texts: a level has thousands.
+constexpr std::size_t kShownVolumes = 8;
+
 /// What stands behind a minimal plan: why its parts are there or left out, and the full plan beside it.
 struct PlanNotes {
     std::vector<EffectNote> effects{};
@@ -27,8 +30,15 @@ std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<Eff
 /// "183x122 at 60,40", or "no pixel".
 std::string rectText(const WindowRect& rect);
 
+/// "0.43"; "-" where there is nothing to compare with.
+std::string ratioText(std::int64_t part, std::int64_t whole);
+
 /// The amount of all passes.
 DrawnAmount sumOf(const std::vector<DrawnAmount>& amounts);
+
+/// For people: the effects that a plan leaves out, has since the frame calls for them, and has since they
+/// were asked for; each with its fact, under heads.
+std::string effectsText(const std::vector<EffectNote>& effects);
 
 /// For people, beneath the passes of @p plan: what is left out and why, what was asked for, and passes,
 /// vertices and touched pixels of the minimal and the full plan side by side.

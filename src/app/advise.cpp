@@ -1,0 +1,56 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "matrix/advice.h"
+#include "report/advice_report.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    ProfileOption profiles{};
+    SceneOption scenes{};
+    SizeOption sizes{};
+    FidelityOption fidelity{};
+    FormatOption format{};
+    int frame = 0;
+};
+
+int run(const Options& options) {
+    const Format format = options.format.value();
+    const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
+    const Size size = theOnly("--size", options.sizes.value());
+    Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    const FidelityChoice fidelity = theOnly("--fidelity", options.fidelity.value({profile}));
+    lab.use(fidelity);
+    const Scene& scene = lab.scene();
+    if (options.frame < 0 || options.frame >= int(scene.frames.size()))
+        throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+    for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
+
+    const Advice advice = advise(lab, profile, size.width, size.height, options.frame);
+    fmt::print("{}", showAdvice(advice, format));
+    return advice.chosen ? 0 : 1;
+}
+
+}  // namespace
+
+void addAdvise(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "advise",
+        "For a scene and a chip: the methods that are exact, cheapest first; what the next cheaper one gets\n"
+        "wrong and why; and the passes of the cheapest as OpenGL calls to copy.");
+    options->scenes.addTo(*command, "scene: id, scene file, mesh file (default: roettger)");
+    options->profiles.addTo(*command, "chip (default: ideal)");
+    options->sizes.addTo(*command);
+    command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
+    options->fidelity.addTo(*command);
+    options->format.addTo(*command);
+    command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace gnomon

@@ -1,0 +1,284 @@
+#include "report/advice_report.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "matrix/cell_json.h"
+#include "report/gl_listing.h"
+#include "report/plan_json.h"
+#include "report/table.h"
+
+namespace gnomon {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Causes with their pixels, most first.
+std::vector<std::pair<std::string, int>> causesOf(const Cell& cell) {
+    std::vector<std::pair<std::string, int>> causes(cell.causes.begin(), cell.causes.end());
+    std::stable_sort(causes.begin(), causes.end(),
+                     [](const auto& a, const auto& b) { return a.second > b.second; });
+    return causes;
+}
+
+std::string causesText(const Cell& cell) {
+    std::vector<std::string> words;
+    for (const auto& [cause, pixels] : causesOf(cell)) words.push_back(fmt::format("{} {}", cause, pixels));
+    return fmt::format("{}", fmt::join(words, ", "));
+}
+
+std::string verdictText(const AdviceRow& row) {
+    const int wrong = row.wrong();
+    switch (row.cell.verdict) {
+        case Verdict::Exact:
+            return row.proof.empty() ? "exact" : "exact, proved";
+        case Verdict::Edge:
+            return fmt::format("edge {}", wrong);
+        case Verdict::Wrong:
+            return fmt::format("WRONG {}", wrong);
+        case Verdict::Refused:
+            return "refused";
+        case Verdict::Failed:
+            return "FAILED";
+    }
+    return {};
+}
+
+/// Why: the cause of most wrong pixels, or what proves it.
+std::string whyOf(const AdviceRow& row) {
+    const auto causes = causesOf(row.cell);
+    if (causes.empty()) return row.proof;
+    const std::size_t others = causes.size() - 1;
+    return others == 0
+               ? causes[0].first
+               : fmt::format("{} and {} more {}", causes[0].first, others, others == 1 ? "cause" : "causes");
+}
+
+/// The method that is drawn, if it is not the one that was asked for.
+std::string drawnAs(const AdviceRow& row) {
+    const std::string id = methodId(row.minimal.axes);
+    return id == row.method ? "" : id;
+}
+
+std::string tableText(const Advice& advice) {
+    std::vector<std::vector<std::string>> rows{{"method", "verdict", "scene", "volume", "rectangle", "copy",
+                                                "vertices", "touched", "of full", "why"}};
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        const AdviceRow& row = advice.rows[i];
+        if (!row.isDrawn()) continue;
+        const PassCounts passes = countPasses(row.minimal.plan);
+        const auto number = [](auto value) { return fmt::format("{}", value); };
+        rows.push_back({fmt::format("{}{}", row.method, advice.chosen == i ? "*" : ""), verdictText(row),
+                        number(passes.scene), number(passes.volume), number(passes.rectangle),
+                        number(passes.copy), number(row.amount.vertices), number(row.amount.pixels.total()),
+                        ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total()), whyOf(row)});
+    }
+    return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows)) : "";
+}
+
+/// Methods that are refused for the same want share a line.
+std::string refusedText(const Advice& advice) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> wants;
+    for (const AdviceRow& row : advice.rows) {
+        if (row.isDrawn()) continue;
+        std::vector<std::string> lacks;
+        for (const Missing& m : row.cell.missing) lacks.push_back(fmt::format("{} [{}]", m.what, m.source));
+        const std::string want = row.cell.verdict == Verdict::Failed
+                                     ? fmt::format("FAILED: {}", row.cell.error)
+                                     : fmt::format("{}", fmt::join(lacks, "; "));
+        const auto same =
+            std::find_if(wants.begin(), wants.end(), [&](const auto& other) { return other.first == want; });
+        if (same == wants.end())
+            wants.push_back({want, {row.method}});
+        else
+            same->second.push_back(row.method);
+    }
+    std::string text;
+    for (const auto& [want, methods] : wants)
+        text += fmt::format("  {}\n", wrapText(fmt::format("{}: {}", fmt::join(methods, ", "), want), 4));
+    return text.empty() ? text : fmt::format("Refused for want of\n{}\n", text);
+}
+
+/// "902 of 76800 pixels wrong: parity of overlapping volumes 902".
+std::string wrongText(const AdviceRow& row) {
+    const std::string causes = causesText(row.cell);
+    return fmt::format("{} of {} pixels wrong{}{}", row.wrong(), row.cell.pixels, causes.empty() ? "" : ": ",
+                       causes);
+}
+
+std::string choiceText(const Advice& advice) {
+    std::string text;
+    const auto line = [&](const std::string& words) { text += fmt::format("{}\n", wrapText(words, 0)); };
+    if (!advice.chosen) {
+        const AdviceRow* best = advice.leastWrong();
+        if (!best) {
+            line(fmt::format("{} can draw none of these methods.", advice.profile));
+            return text;
+        }
+        line(fmt::format("No method is exact on {} in this frame.", advice.profile));
+        line(fmt::format("The least wrong is {}: {}.", best->method, wrongText(*best)));
+        return text;
+    }
+    const AdviceRow& row = advice.rows[*advice.chosen];
+    line(
+        fmt::format("{} is the cheapest that is exact: it touches {} pixels, {} of what its full plan "
+                    "does.",
+                    row.method, row.amount.pixels.total(),
+                    ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())));
+    if (const std::string as = drawnAs(row); !as.empty()) line(fmt::format("It is drawn as {}.", as));
+    line(row.proof.empty() ? "Nothing proves it for other frames: it was drawn and compared with truth."
+                           : fmt::format("Proved: {}.", row.proof));
+    const AdviceRow* cheaper = advice.nextCheaper();
+    if (!cheaper) {
+        line(fmt::format("Nothing that {} can draw is cheaper.", advice.profile));
+    } else {
+        line(fmt::format("The next cheaper, {}, would touch {} pixels less and get {}.", cheaper->method,
+                         row.amount.pixels.total() - cheaper->amount.pixels.total(), wrongText(*cheaper)));
+    }
+    return text;
+}
+
+std::string adviceText(const Advice& advice) {
+    std::string text = fmt::format("{} on {} at {}x{}, frame {}{}\n\n", advice.scene, advice.profile,
+                                   advice.width, advice.height, advice.frame,
+                                   advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "");
+    text += tableText(advice) + refusedText(advice) + choiceText(advice);
+    if (!advice.chosen) return text;
+    const AdviceRow& row = advice.rows[*advice.chosen];
+    text += effectsText(row.minimal.notes);
+    text += fmt::format("\nIts passes as OpenGL calls\n\n{}",
+                        glListing(row.minimal.plan, advice.profile, row.chipTerms));
+    return text;
+}
+
+Json rowJson(const Advice& advice, std::size_t index) {
+    const AdviceRow& row = advice.rows[index];
+    Json json = toJson(row.cell);
+    json["method"] = row.method;
+    json["drawn_as"] = methodId(row.minimal.axes);
+    json["chosen"] = advice.chosen == index;
+    json["proof"] = row.proof;
+    json["planned_passes"] = toJson(countPasses(row.minimal.plan));
+    Json windows = Json::array();
+    for (const MaskWindow& window : row.minimal.plan.windows) windows.push_back(toJson(window.all));
+    json["windows"] = windows;
+    json["drawn_vertices"] = row.amount.vertices;
+    json["touched"] = toJson(row.amount.pixels);
+    json["full"] = {{"drawn_vertices", row.fullAmount.vertices}, {"touched", toJson(row.fullAmount.pixels)}};
+    json["effects"] = toJson(row.minimal.notes);
+    return json;
+}
+
+Json shortJson(const AdviceRow* row) {
+    if (!row) return {};
+    Json causes = Json::object();
+    for (const auto& [cause, pixels] : causesOf(row->cell)) causes[cause] = pixels;
+    return {{"method", row->method},
+            {"touched", row->amount.pixels.total()},
+            {"wrong", row->wrong()},
+            {"causes", causes}};
+}
+
+Json planJson(const AdviceRow& row) {
+    const Plan& plan = row.minimal.plan;
+    Json passes = Json::array();
+    for (std::size_t i = 0; i < plan.passes.size(); ++i) {
+        const Pass& pass = plan.passes[i];
+        passes.push_back({{"kind", kindName(pass.kind)},
+                          {"label", pass.label},
+                          {"state", describeState(pass)},
+                          {"chip_terms", i < row.chipTerms.size() ? row.chipTerms[i] : ""},
+                          {"reason", reasonFor(plan, i, row.minimal.notes)},
+                          {"scissor", extentJson(plan, pass)},
+                          {"gl", glCalls(pass, plan)}});
+    }
+    return {{"beyond_opengl_1_1", beyondOpenGl11(plan)}, {"passes", passes}};
+}
+
+Json adviceJson(const Advice& advice) {
+    Json rows = Json::array();
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) rows.push_back(rowJson(advice, i));
+    const AdviceRow* chosen = advice.chosen ? &advice.rows[*advice.chosen] : nullptr;
+    return {{"profile", advice.profile},
+            {"scene", advice.scene},
+            {"width", advice.width},
+            {"height", advice.height},
+            {"frame", advice.frame},
+            {"fidelity", advice.fidelity},
+            {"chosen", chosen ? Json(chosen->method) : Json()},
+            {"next_cheaper", shortJson(advice.nextCheaper())},
+            {"least_wrong", shortJson(advice.leastWrong())},
+            {"methods", rows},
+            {"plan", chosen ? planJson(*chosen) : Json()}};
+}
+
+std::string adviceCsv(const Advice& advice) {
+    std::string text = csvLine({"profile",       "scene",          "width",
+                                "height",        "frame",          "fidelity",
+                                "method",        "drawn_as",       "chosen",
+                                "verdict",       "proof",          "missing",
+                                "causes",        "wrong_edge",     "wrong_interior",
+                                "passes_scene",  "passes_volume",  "passes_rectangle",
+                                "passes_copy",   "vertices",       "touched_clear",
+                                "touched_scene", "touched_volume", "touched_rectangle",
+                                "touched_copy",  "touched",        "full_vertices",
+                                "full_touched"});
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        const AdviceRow& row = advice.rows[i];
+        const PassCounts passes = countPasses(row.minimal.plan);
+        const TouchedPixels& p = row.amount.pixels;
+        const auto number = [](auto value) { return fmt::format("{}", value); };
+        std::vector<std::string> lacks, causes;
+        for (const Missing& m : row.cell.missing) lacks.push_back(m.what);
+        for (const auto& [cause, pixels] : causesOf(row.cell))
+            causes.push_back(fmt::format("{} {}", cause, pixels));
+        text += csvLine({advice.profile,
+                         advice.scene,
+                         number(advice.width),
+                         number(advice.height),
+                         number(advice.frame),
+                         advice.fidelity,
+                         row.method,
+                         methodId(row.minimal.axes),
+                         advice.chosen == i ? "true" : "false",
+                         name(row.cell.verdict),
+                         row.proof,
+                         fmt::format("{}", fmt::join(lacks, "; ")),
+                         fmt::format("{}", fmt::join(causes, "; ")),
+                         number(row.cell.wrongEdge),
+                         number(row.cell.wrongInterior),
+                         number(passes.scene),
+                         number(passes.volume),
+                         number(passes.rectangle),
+                         number(passes.copy),
+                         number(row.amount.vertices),
+                         number(p.clear),
+                         number(p.scene),
+                         number(p.volume),
+                         number(p.rectangle),
+                         number(p.copy),
+                         number(p.total()),
+                         number(row.fullAmount.vertices),
+                         number(row.fullAmount.pixels.total())});
+    }
+    return text;
+}
+
+}  // namespace
+
+std::string showAdvice(const Advice& advice, Format format) {
+    switch (format) {
+        case Format::Json:
+            return fmt::format("{}\n", Json::array({adviceJson(advice)}).dump(2));
+        case Format::Csv:
+            return adviceCsv(advice);
+        case Format::Text:
+            break;
+    }
+    return adviceText(advice);
+}
+
+}  // namespace gnomon
