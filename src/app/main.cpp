@@ -18,6 +18,7 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addMatrix(app, status);
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
+    gnomon::addAdvise(app, status);
     gnomon::addProve(app, status);
     gnomon::addReproduce(app, status);
     gnomon::addProfiles(app, status);

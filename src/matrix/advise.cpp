@@ -1,0 +1,55 @@
+#include <numeric>
+
+#include "matrix/advice.h"
+#include "matrix/choice.h"
+#include "plan/chip_terms.h"
+
+namespace gnomon {
+namespace {
+
+DrawnAmount sumOf(const std::vector<DrawnAmount>& passes) {
+    return std::accumulate(passes.begin(), passes.end(), DrawnAmount{},
+                           [](DrawnAmount sum, const DrawnAmount& pass) {
+                               sum.pixels += pass.pixels;
+                               sum.vertices += pass.vertices;
+                               return sum;
+                           });
+}
+
+}  // namespace
+
+Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame) {
+    Advice advice{
+        .profile = profile.id, .scene = lab.scene().id, .width = width, .height = height, .frame = frame};
+    const auto before = lab.simulated();
+    lab.simulate(Effects::none());
+    for (Option& option : options(lab, profile, Shade::Attenuated, width, height, frame)) {
+        AdviceRow row{.method = option.method, .minimal = std::move(option.plan), .amount = option.amount};
+        row.cell = lab.run(profile, option.axes, width, height, frame);
+        if (row.isDrawn()) {
+            row.fullAmount = sumOf(lab.fullAmounts(profile, option.axes, width, height, frame));
+            for (const Pass& pass : row.minimal.plan.passes)
+                row.chipTerms.push_back(chipTerms(pass, profile, row.minimal.plan));
+            if (option.axes.store != Store::DepthMap) {
+                const Foreseen foreseen = lab.foresee(profile, row.minimal, width, height, frame);
+                if (foreseen.wrong == 0 && foreseen.doubtful == 0)
+                    row.proof =
+                        "exact arithmetic has every untied pixel as truth has it, however a rasteriser "
+                        "rounds";
+            }
+        }
+        advice.fidelity = row.cell.fidelity;
+        advice.rows.push_back(std::move(row));
+    }
+    lab.simulate(before);
+    advice = ranked(std::move(advice));
+    // As auto chooses: what is proved comes before what was only drawn.
+    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
+        if (advice.rows[i].proof.empty() || advice.rows[i].cell.verdict != Verdict::Exact) continue;
+        advice.chosen = i;
+        break;
+    }
+    return advice;
+}
+
+}  // namespace gnomon
