@@ -79,16 +79,20 @@ std::string tableText(const Advice& advice) {
     return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows)) : "";
 }
 
-/// Methods that are refused for the same want share a line.
-std::string refusedText(const Advice& advice) {
+/// What the chip lacks for a method, or how the method failed.
+std::string wantOf(const Cell& cell) {
+    if (cell.verdict == Verdict::Failed) return cell.error;
+    std::vector<std::string> lacks;
+    for (const Missing& m : cell.missing) lacks.push_back(fmt::format("{} [{}]", m.what, m.source));
+    return fmt::format("{}", fmt::join(lacks, "; "));
+}
+
+/// The methods of that verdict under a head; those of which the same is said share a line.
+std::string undrawnText(const char* head, const Advice& advice, Verdict verdict) {
     std::vector<std::pair<std::string, std::vector<std::string>>> wants;
     for (const AdviceRow& row : advice.rows) {
-        if (row.isDrawn()) continue;
-        std::vector<std::string> lacks;
-        for (const Missing& m : row.cell.missing) lacks.push_back(fmt::format("{} [{}]", m.what, m.source));
-        const std::string want = row.cell.verdict == Verdict::Failed
-                                     ? fmt::format("FAILED: {}", row.cell.error)
-                                     : fmt::format("{}", fmt::join(lacks, "; "));
+        if (row.cell.verdict != verdict) continue;
+        const std::string want = wantOf(row.cell);
         const auto same =
             std::find_if(wants.begin(), wants.end(), [&](const auto& other) { return other.first == want; });
         if (same == wants.end())
@@ -99,7 +103,7 @@ std::string refusedText(const Advice& advice) {
     std::string text;
     for (const auto& [want, methods] : wants)
         text += fmt::format("  {}\n", wrapText(fmt::format("{}: {}", fmt::join(methods, ", "), want), 4));
-    return text.empty() ? text : fmt::format("Refused for want of\n{}\n", text);
+    return text.empty() ? text : fmt::format("{}\n{}\n", head, text);
 }
 
 /// "902 of 76800 pixels wrong: parity of overlapping volumes 902".
@@ -145,7 +149,10 @@ std::string adviceText(const Advice& advice) {
     std::string text = fmt::format("{} on {} at {}x{}, frame {}{}\n\n", advice.scene, advice.profile,
                                    advice.width, advice.height, advice.frame,
                                    advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "");
-    text += tableText(advice) + refusedText(advice) + choiceText(advice);
+    text += tableText(advice);
+    text += undrawnText("Refused for want of", advice, Verdict::Refused);
+    text += undrawnText("Failed", advice, Verdict::Failed);
+    text += choiceText(advice);
     if (!advice.chosen) return text;
     const AdviceRow& row = advice.rows[*advice.chosen];
     text += effectsText(row.minimal.notes);
@@ -185,6 +192,7 @@ Json shortJson(const AdviceRow* row) {
 Json planJson(const AdviceRow& row) {
     const Plan& plan = row.minimal.plan;
     Json passes = Json::array();
+    const std::vector<std::string> calls = glCalls(plan);
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         passes.push_back({{"kind", kindName(pass.kind)},
@@ -193,9 +201,9 @@ Json planJson(const AdviceRow& row) {
                           {"chip_terms", i < row.chipTerms.size() ? row.chipTerms[i] : ""},
                           {"reason", reasonFor(plan, i, row.minimal.notes)},
                           {"scissor", extentJson(plan, pass)},
-                          {"gl", glCalls(pass, plan)}});
+                          {"gl", calls[i]}});
     }
-    return {{"beyond_opengl_1_1", beyondOpenGl11(plan)}, {"passes", passes}};
+    return {{"beyond_opengl_1_1", beyondOpenGl11(plan)}, {"gl_setup", glSetup()}, {"passes", passes}};
 }
 
 Json adviceJson(const Advice& advice) {
