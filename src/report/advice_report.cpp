@@ -47,10 +47,10 @@ std::string verdictText(const AdviceRow& row) {
     return {};
 }
 
-/// Why: the cause of most wrong pixels, or what proves it.
+/// The cause of most wrong pixels.
 std::string whyOf(const AdviceRow& row) {
     const auto causes = causesOf(row.cell);
-    if (causes.empty()) return row.proof;
+    if (causes.empty()) return "";
     const std::size_t others = causes.size() - 1;
     return others == 0
                ? causes[0].first
@@ -128,15 +128,23 @@ std::string choiceText(const Advice& advice) {
     }
     const AdviceRow& row = advice.rows[*advice.chosen];
     line(
-        fmt::format("{} is the cheapest that is exact: it touches {} pixels, {} of what its full plan "
+        fmt::format("{} is the cheapest that is {}exact: it touches {} pixels, {} of what its full plan "
                     "does.",
-                    row.method, row.amount.pixels.total(),
+                    row.method, row.proof.empty() ? "" : "proved ", row.amount.pixels.total(),
                     ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())));
     if (const std::string as = drawnAs(row); !as.empty()) line(fmt::format("It is drawn as {}.", as));
-    line(row.proof.empty() ? "Nothing proves it for other frames: it was drawn and compared with truth."
+    line(row.proof.empty() ? "Nothing proves it: it was drawn and compared with truth."
                            : fmt::format("Proved: {}.", row.proof));
+    std::vector<std::string> unproved;
+    for (const AdviceRow* other : advice.cheaperUnproved())
+        unproved.push_back(fmt::format("{} ({} pixels)", other->method, other->amount.pixels.total()));
+    if (!unproved.empty())
+        line(fmt::format("Cheaper and exact in this frame, though nothing proves it: {}.",
+                         fmt::join(unproved, ", ")));
     const AdviceRow* cheaper = advice.nextCheaper();
-    if (!cheaper) {
+    if (!cheaper && !unproved.empty()) {
+        line("Nothing that is cheaper is wrong here.");
+    } else if (!cheaper) {
         line(fmt::format("Nothing that {} can draw is cheaper.", advice.profile));
     } else {
         line(fmt::format("The next cheaper, {}, would touch {} pixels less and get {}.", cheaper->method,
@@ -207,6 +215,8 @@ Json planJson(const AdviceRow& row) {
 }
 
 Json adviceJson(const Advice& advice) {
+    Json unproved = Json::array();
+    for (const AdviceRow* row : advice.cheaperUnproved()) unproved.push_back(row->method);
     Json rows = Json::array();
     for (std::size_t i = 0; i < advice.rows.size(); ++i) rows.push_back(rowJson(advice, i));
     const AdviceRow* chosen = advice.chosen ? &advice.rows[*advice.chosen] : nullptr;
@@ -218,6 +228,7 @@ Json adviceJson(const Advice& advice) {
             {"fidelity", advice.fidelity},
             {"chosen", chosen ? Json(chosen->method) : Json()},
             {"next_cheaper", shortJson(advice.nextCheaper())},
+            {"cheaper_unproved", unproved},
             {"least_wrong", shortJson(advice.leastWrong())},
             {"methods", rows},
             {"plan", chosen ? planJson(*chosen) : Json()}};
