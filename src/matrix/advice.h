@@ -34,17 +34,20 @@ struct Advice {
     int width = 0, height = 0, frame = 0;
     std::string fidelity = "gl";
     std::vector<AdviceRow> rows{};        ///< as ranked() has them
-    std::optional<std::size_t> chosen{};  ///< the cheapest exact row; none if none is exact
+    std::optional<std::size_t> chosen{};  ///< the cheapest exact row; of proved ones if there are any
 
-    /// The row before the chosen one: what a little less would have cost. None if nothing that the chip can
-    /// draw is cheaper.
+    /// Of the rows before the chosen one the nearest that is not exact: what a little less would have cost.
+    /// None if nothing that the chip can draw is cheaper and wrong.
     const AdviceRow* nextCheaper() const;
+    /// The rows before the chosen one that are exact in this frame too, though nothing proves it.
+    std::vector<const AdviceRow*> cheaperUnproved() const;
     /// Of the rows that are drawn, the one with the fewest wrong pixels, of these the cheapest. None if none
     /// is drawn.
     const AdviceRow* leastWrong() const;
 };
 
-/// @p advice with its rows cheapest first and the cheapest exact one chosen. Cost is touched pixels, then
+/// @p advice with its rows cheapest first, and the cheapest exact one chosen: the cheapest proved one where
+/// any is. Cost is touched pixels, then
 /// vertices, then passes; what is refused or failed comes last. Rows that cost the same keep their order.
 Advice ranked(Advice advice);
 

@@ -18,7 +18,16 @@ bool isCheaper(const AdviceRow& a, const AdviceRow& b) {
 }  // namespace
 
 const AdviceRow* Advice::nextCheaper() const {
-    return chosen && *chosen > 0 ? &rows[*chosen - 1] : nullptr;
+    for (std::size_t i = chosen.value_or(0); i-- > 0;)
+        if (rows[i].cell.verdict != Verdict::Exact) return &rows[i];
+    return nullptr;
+}
+
+std::vector<const AdviceRow*> Advice::cheaperUnproved() const {
+    std::vector<const AdviceRow*> exact;
+    for (std::size_t i = 0; i < chosen.value_or(0); ++i)
+        if (rows[i].cell.verdict == Verdict::Exact) exact.push_back(&rows[i]);
+    return exact;
 }
 
 const AdviceRow* Advice::leastWrong() const {
@@ -30,10 +39,12 @@ const AdviceRow* Advice::leastWrong() const {
 
 Advice ranked(Advice advice) {
     std::stable_sort(advice.rows.begin(), advice.rows.end(), isCheaper);
-    const auto exact = std::find_if(advice.rows.begin(), advice.rows.end(),
-                                    [](const AdviceRow& row) { return row.cell.verdict == Verdict::Exact; });
+    const auto isExact = [](const AdviceRow& row) { return row.cell.verdict == Verdict::Exact; };
+    const auto isProved = [&](const AdviceRow& row) { return isExact(row) && !row.proof.empty(); };
+    auto chosen = std::find_if(advice.rows.begin(), advice.rows.end(), isProved);
+    if (chosen == advice.rows.end()) chosen = std::find_if(advice.rows.begin(), advice.rows.end(), isExact);
     advice.chosen.reset();
-    if (exact != advice.rows.end()) advice.chosen = std::size_t(exact - advice.rows.begin());
+    if (chosen != advice.rows.end()) advice.chosen = std::size_t(chosen - advice.rows.begin());
     return advice;
 }
 

@@ -47,10 +47,10 @@ std::string verdictText(const AdviceRow& row) {
     return {};
 }
 
-/// Why: the cause of most wrong pixels, or what proves it.
+/// The cause of most wrong pixels.
 std::string whyOf(const AdviceRow& row) {
     const auto causes = causesOf(row.cell);
-    if (causes.empty()) return row.proof;
+    if (causes.empty()) return "";
     const std::size_t others = causes.size() - 1;
     return others == 0
                ? causes[0].first
@@ -79,16 +79,20 @@ std::string tableText(const Advice& advice) {
     return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows)) : "";
 }
 
-/// Methods that are refused for the same want share a line.
-std::string refusedText(const Advice& advice) {
+/// What the chip lacks for a method, or how the method failed.
+std::string wantOf(const Cell& cell) {
+    if (cell.verdict == Verdict::Failed) return cell.error;
+    std::vector<std::string> lacks;
+    for (const Missing& m : cell.missing) lacks.push_back(fmt::format("{} [{}]", m.what, m.source));
+    return fmt::format("{}", fmt::join(lacks, "; "));
+}
+
+/// The methods of that verdict under a head; those of which the same is said share a line.
+std::string undrawnText(const char* head, const Advice& advice, Verdict verdict) {
     std::vector<std::pair<std::string, std::vector<std::string>>> wants;
     for (const AdviceRow& row : advice.rows) {
-        if (row.isDrawn()) continue;
-        std::vector<std::string> lacks;
-        for (const Missing& m : row.cell.missing) lacks.push_back(fmt::format("{} [{}]", m.what, m.source));
-        const std::string want = row.cell.verdict == Verdict::Failed
-                                     ? fmt::format("FAILED: {}", row.cell.error)
-                                     : fmt::format("{}", fmt::join(lacks, "; "));
+        if (row.cell.verdict != verdict) continue;
+        const std::string want = wantOf(row.cell);
         const auto same =
             std::find_if(wants.begin(), wants.end(), [&](const auto& other) { return other.first == want; });
         if (same == wants.end())
@@ -99,7 +103,7 @@ std::string refusedText(const Advice& advice) {
     std::string text;
     for (const auto& [want, methods] : wants)
         text += fmt::format("  {}\n", wrapText(fmt::format("{}: {}", fmt::join(methods, ", "), want), 4));
-    return text.empty() ? text : fmt::format("Refused for want of\n{}\n", text);
+    return text.empty() ? text : fmt::format("{}\n{}\n", head, text);
 }
 
 /// "902 of 76800 pixels wrong: parity of overlapping volumes 902".
@@ -124,15 +128,23 @@ std::string choiceText(const Advice& advice) {
     }
     const AdviceRow& row = advice.rows[*advice.chosen];
     line(
-        fmt::format("{} is the cheapest that is exact: it touches {} pixels, {} of what its full plan "
+        fmt::format("{} is the cheapest that is {}exact: it touches {} pixels, {} of what its full plan "
                     "does.",
-                    row.method, row.amount.pixels.total(),
+                    row.method, row.proof.empty() ? "" : "proved ", row.amount.pixels.total(),
                     ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())));
     if (const std::string as = drawnAs(row); !as.empty()) line(fmt::format("It is drawn as {}.", as));
-    line(row.proof.empty() ? "Nothing proves it for other frames: it was drawn and compared with truth."
+    line(row.proof.empty() ? "Nothing proves it: it was drawn and compared with truth."
                            : fmt::format("Proved: {}.", row.proof));
+    std::vector<std::string> unproved;
+    for (const AdviceRow* other : advice.cheaperUnproved())
+        unproved.push_back(fmt::format("{} ({} pixels)", other->method, other->amount.pixels.total()));
+    if (!unproved.empty())
+        line(fmt::format("Cheaper and exact in this frame, though nothing proves it: {}.",
+                         fmt::join(unproved, ", ")));
     const AdviceRow* cheaper = advice.nextCheaper();
-    if (!cheaper) {
+    if (!cheaper && !unproved.empty()) {
+        line("Nothing that is cheaper is wrong here.");
+    } else if (!cheaper) {
         line(fmt::format("Nothing that {} can draw is cheaper.", advice.profile));
     } else {
         line(fmt::format("The next cheaper, {}, would touch {} pixels less and get {}.", cheaper->method,
@@ -145,7 +157,10 @@ std::string adviceText(const Advice& advice) {
     std::string text = fmt::format("{} on {} at {}x{}, frame {}{}\n\n", advice.scene, advice.profile,
                                    advice.width, advice.height, advice.frame,
                                    advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "");
-    text += tableText(advice) + refusedText(advice) + choiceText(advice);
+    text += tableText(advice);
+    text += undrawnText("Refused for want of", advice, Verdict::Refused);
+    text += undrawnText("Failed", advice, Verdict::Failed);
+    text += choiceText(advice);
     if (!advice.chosen) return text;
     const AdviceRow& row = advice.rows[*advice.chosen];
     text += effectsText(row.minimal.notes);
@@ -185,6 +200,7 @@ Json shortJson(const AdviceRow* row) {
 Json planJson(const AdviceRow& row) {
     const Plan& plan = row.minimal.plan;
     Json passes = Json::array();
+    const std::vector<std::string> calls = glCalls(plan);
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         const Pass& pass = plan.passes[i];
         passes.push_back({{"kind", kindName(pass.kind)},
@@ -193,12 +209,14 @@ Json planJson(const AdviceRow& row) {
                           {"chip_terms", i < row.chipTerms.size() ? row.chipTerms[i] : ""},
                           {"reason", reasonFor(plan, i, row.minimal.notes)},
                           {"scissor", extentJson(plan, pass)},
-                          {"gl", glCalls(pass, plan)}});
+                          {"gl", calls[i]}});
     }
-    return {{"beyond_opengl_1_1", beyondOpenGl11(plan)}, {"passes", passes}};
+    return {{"beyond_opengl_1_1", beyondOpenGl11(plan)}, {"gl_setup", glSetup()}, {"passes", passes}};
 }
 
 Json adviceJson(const Advice& advice) {
+    Json unproved = Json::array();
+    for (const AdviceRow* row : advice.cheaperUnproved()) unproved.push_back(row->method);
     Json rows = Json::array();
     for (std::size_t i = 0; i < advice.rows.size(); ++i) rows.push_back(rowJson(advice, i));
     const AdviceRow* chosen = advice.chosen ? &advice.rows[*advice.chosen] : nullptr;
@@ -210,6 +228,7 @@ Json adviceJson(const Advice& advice) {
             {"fidelity", advice.fidelity},
             {"chosen", chosen ? Json(chosen->method) : Json()},
             {"next_cheaper", shortJson(advice.nextCheaper())},
+            {"cheaper_unproved", unproved},
             {"least_wrong", shortJson(advice.leastWrong())},
             {"methods", rows},
             {"plan", chosen ? planJson(*chosen) : Json()}};

@@ -76,7 +76,7 @@ struct Used {
 /// Writes the calls of one pass, a line each.
 class Calls {
   public:
-    Calls(const Pass& pass, const Plan& plan) : m_pass(pass), m_plan(plan), m_used(plan) {
+    Calls(const Pass& pass, const Plan& plan, const Used& used) : m_pass(pass), m_plan(plan), m_used(used) {
         target();
         switch (pass.kind) {
             case PassKind::Clear:
@@ -370,14 +370,27 @@ class Calls {
 
     const Pass& m_pass;
     const Plan& m_plan;
-    Used m_used;
+    const Used& m_used;
     std::string m_text{};
 };
 
 }  // namespace
 
 std::string glCalls(const Pass& pass, const Plan& plan) {
-    return Calls(pass, plan).text();
+    return Calls(pass, plan, Used(plan)).text();
+}
+
+std::vector<std::string> glCalls(const Plan& plan) {
+    const Used used(plan);
+    std::vector<std::string> calls;
+    for (const Pass& pass : plan.passes) calls.push_back(Calls(pass, plan, used).text());
+    return calls;
+}
+
+std::string glSetup() {
+    return "/* State is OpenGL's default but for dithering, which would change a mask's values. */\n"
+           "/* Names without gl are yours; faces are counter-clockwise seen from outside. */\n"
+           "glDisable(GL_DITHER);\n";
 }
 
 std::vector<std::string> beyondOpenGl11(const Plan& plan) {
@@ -431,6 +444,8 @@ std::string glListing(const Plan& plan, const std::string& profile,
     std::string text;
     for (const std::string& need : beyondOpenGl11(plan))
         text += fmt::format("/* beyond OpenGL 1.1: {} */\n", need);
+    text += glSetup();
+    const std::vector<std::string> calls = glCalls(plan);
     std::size_t volumes = 0, folded = 0;
     const auto endFold = [&] {
         if (folded > 0)
@@ -444,10 +459,10 @@ std::string glListing(const Plan& plan, const std::string& profile,
             continue;
         }
         endFold();
-        text += fmt::format("{}/* pass {}: {} */\n", text.empty() ? "" : "\n", i + 1, pass.label);
+        text += fmt::format("\n/* pass {}: {} */\n", i + 1, pass.label);
         if (i < chipTerms.size() && !chipTerms[i].empty())
             text += fmt::format("/* {}: {} */\n", profile, chipTerms[i]);
-        text += glCalls(pass, plan);
+        text += calls[i];
     }
     endFold();
     return text;

@@ -49,7 +49,7 @@ std::string clearReason(const Plan& plan, const Pass& pass) {
     return fmt::format("{}{}", what, whereShadowsAre(plan, pass));
 }
 
-std::string sceneReason(const Pass& pass, const std::vector<EffectNote>& effects) {
+std::string sceneReason(const Plan& plan, const Pass& pass, const std::vector<EffectNote>& effects) {
     if (pass.target == Target::DepthMap) return "the map holds what the light sees of the casters";
     if (!pass.write.any()) return "volumes are counted against the depth of what is seen";
     switch (pass.shading) {
@@ -67,7 +67,11 @@ std::string sceneReason(const Pass& pass, const std::vector<EffectNote>& effects
     }
     if (pass.depthWrite)
         return with("every surface that is seen, and its depth", effects, Effect::Lights, pass.light);
-    return with("the light arrives where the mask is lit", effects, Effect::Lights, pass.light);
+    const MaskWindow* window = windowOf(plan, pass);
+    const std::string where =
+        window ? fmt::format("; outside of {} nothing is in shadow", rectText(window->all)) : "";
+    return with(fmt::format("the light arrives where the mask is lit{}", where), effects, Effect::Lights,
+                pass.light);
 }
 
 /// How many volumes the pass draws, and where.
@@ -152,7 +156,7 @@ std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<Eff
         case PassKind::Clear:
             return clearReason(plan, pass);
         case PassKind::Scene:
-            return sceneReason(pass, effects);
+            return sceneReason(plan, pass, effects);
         case PassKind::Volume:
             return volumeReason(plan, pass, effects);
         case PassKind::Rectangle:

@@ -58,6 +58,18 @@ TEST(Advice, ChoosesNothingWhereNothingIsExact) {
     EXPECT_FALSE(ranked({}).leastWrong());
 }
 
+TEST(Advice, ChoosesWhatIsProvedBeforeWhatWasOnlyDrawn) {
+    Advice advice{.rows = {row("wrong", 10, Verdict::Wrong, 9), row("drawn", 20, Verdict::Exact),
+                           row("proved", 30, Verdict::Exact), row("dear", 40, Verdict::Exact)}};
+    advice.rows[0].proof = "a proof is of no use where it is wrong";
+    advice.rows[2].proof = advice.rows[3].proof = "of every pixel";
+    advice = ranked(advice);
+    ASSERT_TRUE(advice.chosen);
+    EXPECT_EQ(advice.rows[*advice.chosen].method, "proved");
+    EXPECT_THAT(advice.cheaperUnproved(), ElementsAre(&advice.rows[1]));
+    EXPECT_EQ(advice.nextCheaper(), &advice.rows[0]) << "the nearest that is not exact";
+}
+
 TEST(Advice, KnowsNothingCheaperThanTheCheapest) {
     const Advice advice = ranked({.rows = {row("a", 10, Verdict::Exact), row("b", 20, Verdict::Wrong, 9)}});
     EXPECT_FALSE(advice.nextCheaper());

@@ -460,10 +460,17 @@ TEST(BeyondOpenGl11, IsNothingForThePapersMethodAndNamedForOthers) {
 TEST(GlListing, NumbersPassesAndPutsTheChipsTermsAboveThem) {
     const Plan plan = planFrame(findMethod("roettger-screen")->axes, shapeOf(1, 64, 64), chip("voodoo2"));
     const std::string text = glListing(plan, "voodoo2", {"", "", "grAlphaBlendFunction"});
-    EXPECT_THAT(text, AllOf(HasSubstr("/* pass 1: mask starts */\nglColorMask("),
+    EXPECT_THAT(text, AllOf(HasSubstr("\nglDisable(GL_DITHER);\n\n/* pass 1: mask starts */\nglColorMask("),
                             HasSubstr("\n\n/* pass 3: front faces of volume 0: double */\n"
                                       "/* voodoo2: grAlphaBlendFunction */\n")));
     EXPECT_EQ(text.find("voodoo2:"), text.rfind("voodoo2:"));
+}
+
+TEST(GlCalls, OfAPlanAreThoseOfItsPasses) {
+    const Plan plan = planFrame(findMethod("roettger-half")->axes, shapeOf(2, 64, 64), chip("ideal"));
+    const std::vector<std::string> all = glCalls(plan);
+    ASSERT_EQ(all.size(), plan.passes.size());
+    for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i], glCalls(plan.passes[i], plan));
 }
 
 TEST(GlListing, SaysHowManyVolumePassesAreLikeTheOthers) {

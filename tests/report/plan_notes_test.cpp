@@ -62,6 +62,16 @@ TEST(Reason, HoldsTheFactOfAnEffectThatThePassIsThereFor) {
                 HasSubstr("; levels: --effects asks for it; volumes nest up to 1 deep"));
 }
 
+TEST(Reason, OfASceneOverItsMaskSaysWhereShadowsEnd) {
+    PlanSheet s = explainedSheet("roettger-screen");
+    Pass& over = s.plan.passes.back();
+    const auto reason = [&] { return reasonFor(s.plan, s.plan.passes.size() - 1, {}); };
+    EXPECT_EQ(reason(), "the light arrives where the mask is lit");
+    over.extent = Extent::Shadows;
+    EXPECT_EQ(reason(),
+              "the light arrives where the mask is lit; outside of 183x122 at 60,40 nothing is in shadow");
+}
+
 TEST(Reason, DoesNotNameAnEffectThatIsLeftOutOrOfAnotherLight) {
     PlanSheet s = explainedSheet("roettger-alpha");
     EXPECT_THAT(reasonOf(s, isVolume), Not(HasSubstr("near-caps")));
