@@ -408,7 +408,51 @@ bool holds(const WindowRect& outer, const WindowRect& inner) {
            inner.x + inner.width <= outer.x + outer.width && inner.y + inner.height <= outer.y + outer.height;
 }
 
-std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& light,
+/// Patches of neighbouring blocks, and one that holds them all. Volumes that don't reach that one are not
+/// asked about the others.
+struct Group {
+    WindowRect pixels{};
+    std::vector<const Receivers::Patch*> patches{};
+    double nearest = 0, farthest = kInfinity;  ///< as inverse distances
+
+    void include(const Receivers::Patch& patch, std::span<const Receivers::Corner> corners) {
+        pixels = around(pixels, patch.pixels);
+        patches.push_back(&patch);
+        for (const Receivers::Corner& c : corners)
+            nearest = std::max(nearest, c.nearer), farthest = std::min(farthest, c.farther);
+    }
+
+    std::array<Receivers::Corner, 4> corners(const View& view) const {
+        const int right = pixels.x + pixels.width, top = pixels.y + pixels.height;
+        const auto at = [&](int x, int y) {
+            return Receivers::Corner{rayDirection(view, x, y), nearest, farthest};
+        };
+        return {at(pixels.x, pixels.y), at(right, pixels.y), at(right, top), at(pixels.x, top)};
+    }
+};
+
+std::vector<Group> groupsOf(const Receivers& receivers) {
+    constexpr int kBlocks = 8;  // of 2, 4 and 8 the fastest in a scene of 450 volumes
+    constexpr int kPixels = kBlocks * Receivers::kBlock;
+    const int columns = (receivers.columns() + kBlocks - 1) / kBlocks,
+              rows = (receivers.rows() + kBlocks - 1) / kBlocks;
+    std::vector<Group> groups(std::size_t(columns) * std::size_t(rows));
+    for (const Receivers::Patch& patch : receivers.patches())
+        groups[std::size_t(patch.pixels.y / kPixels * columns + patch.pixels.x / kPixels)].include(
+            patch, receivers.corners(patch));
+    std::erase_if(groups, [](const Group& group) { return group.patches.empty(); });
+    return groups;
+}
+
+/// Calls @p visit with each of @p items, in leaps over all of them.
+template <class Item, class Visit>
+void leapOver(const std::vector<Item>& items, const Visit& visit) {
+    std::size_t leap = std::size_t(0.618 * double(items.size())) + 1;
+    while (std::gcd(leap, items.size()) != 1) ++leap;
+    for (std::size_t i = 0, at = 0; i < items.size(); ++i, at = (at + leap) % items.size()) visit(items[at]);
+}
+
+std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& light, const View& view,
                                   const Receivers& receivers) {
     std::vector<Box> boxes;
     double farthest = 0;
@@ -419,19 +463,26 @@ std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& li
     }
     const Tree tree(std::move(boxes));
     std::vector<WindowRect> windows(all.size());
-    // In leaps over the window, so that rectangles grow early: what they hold is not asked again.
-    const std::size_t count = receivers.patches().size();
-    std::size_t leap = std::size_t(0.618 * double(count)) + 1;
-    while (std::gcd(leap, count) != 1) ++leap;
-    for (std::size_t i = 0, at = 0; i < count; ++i, at = (at + leap) % count) {
-        const Receivers::Patch& patch = receivers.patches()[at];
-        Beam beam(receivers.corners(patch), light, farthest);
-        tree.find(beam, [&](std::uint32_t v) {
-            if (!holds(windows[v], patch.pixels) && all[v].reaches(beam))
-                windows[v] = windows[v].empty() ? patch.pixels : around(windows[v], patch.pixels);
+    std::vector<std::uint32_t> found;
+    // In leaps, so that rectangles grow early: what they hold is not asked again.
+    leapOver(groupsOf(receivers), [&](const Group& group) {
+        found.clear();
+        Beam whole(group.corners(view), light, farthest);
+        tree.find(whole, [&](std::uint32_t v) {
+            if (!holds(windows[v], group.pixels) && all[v].reaches(whole)) found.push_back(v);
             return false;
         });
-    }
+        if (found.empty()) return;
+        leapOver(group.patches, [&](const Receivers::Patch* patch) {
+            std::optional<Beam> beam;
+            for (const std::uint32_t v : found) {
+                if (holds(windows[v], patch->pixels)) continue;
+                if (!beam) beam.emplace(receivers.corners(*patch), light, farthest);
+                if (!beam->misses(all[v].box()) && all[v].reaches(*beam))
+                    windows[v] = around(windows[v], patch->pixels);
+            }
+        });
+    });
     return windows;
 }
 
@@ -516,7 +567,7 @@ Reach reachOf(const Scene& scene, std::span<const LitCaster> lit, const glm::vec
               const Receivers& receivers) {
     std::vector<Volume> all = volumes(scene, lit, view.eye);
     const glm::dvec4 fromEye(glm::dvec3(light) - double(light.w) * view.eye, light.w);
-    Reach reach{.windows = windowsOf(all, fromEye, receivers)};
+    Reach reach{.windows = windowsOf(all, fromEye, view, receivers)};
     for (const Volume& volume : all)
         reach.nearDistances.push_back(nearDistance(scene, volume, light, fromEye, view));
     return reach;

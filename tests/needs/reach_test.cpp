@@ -132,9 +132,12 @@ INSTANTIATE_TEST_SUITE_P(Seeds, ReachOfRandomScenes, testing::Range(1u, 11u));
 
 /// What the crossings of one volume come to before the surface that is seen.
 struct Counted {
-    int net = 0;                ///< in exact arithmetic
+    int net = 0;                ///< in exact arithmetic, without caps towards the light
+    int caps = 0;               ///< these
     bool isInDoubt = false;     ///< some face that counts may lie before the surface or not
     bool mayBeInDoubt = false;  ///< the same of a face that is not there in exact arithmetic
+
+    bool matters() const { return isInDoubt || (net != 0 && net + caps != 0); }
 };
 
 /// Faces that may not be drawn at a pixel stand there in exact arithmetic or not; otherwise they end there at
@@ -156,10 +159,11 @@ Counted counted(std::span<const Crossing> crossings) {
             case Piece::FarCap:  // counts before the background
                 counts = c.exact == kAt;
                 break;
-            case Piece::LightCap:  // is a surface, and none lies before the one that is seen; but this one
-                                   // may be seen only where that is not drawn
-                counts = c.exact == kBefore && !(c.possible & (kAt | kBehind));
-                break;
+            case Piece::LightCap:
+                // Is a surface, and none lies before the one that is seen; but that one may be seen only
+                // where this is not drawn.
+                if (c.exact == kBefore && !(c.possible & (kAt | kBehind))) out.caps += c.front ? 1 : -1;
+                continue;
             default:
                 continue;
         }
@@ -190,7 +194,7 @@ void compareCrossings(const Scene& scene, const View& view, const DepthTies& tie
                     if (reached.reach.windows[all[first].volume].holds(x, y)) continue;
                     const Counted one = counted(std::span(all).subspan(first, last - first));
                     ++outside.crossed;
-                    outside.wrong += one.net != 0 || one.isInDoubt;
+                    outside.wrong += one.matters();
                     outside.beside += one.mayBeInDoubt;
                 }
             });
