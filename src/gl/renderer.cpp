@@ -19,6 +19,11 @@ namespace {
 
 constexpr std::array<float, 8> kWindow{-1, -1, 1, -1, 1, 1, -1, 1};
 
+/// The background as it is drawn, whether by a clear or by a surface at infinity.
+glm::u8vec3 bytesOf(const glm::vec3& colour) {
+    return glm::u8vec3(glm::clamp(colour, 0.0f, 1.0f) * 255.0f + 0.5f);
+}
+
 void flipRows(Image& image) {
     const std::size_t row = std::size_t(image.width) * image.channels;
     for (int y = 0; y < image.height / 2; ++y) {
@@ -136,7 +141,8 @@ class PassRunner {
         GLbitfield bits = 0;
         if (pass.write.any()) {
             glm::vec4 colour = pass.colour;
-            if (pass.clearsToBackground) colour = glm::vec4(m_surfaces.background, colour.a);
+            if (pass.clearsToBackground)
+                colour = glm::vec4(glm::vec3(bytesOf(m_surfaces.background)) / 255.0f, colour.a);
             gl.ClearColor(colour.r, colour.g, colour.b, colour.a);
             bits |= GL_COLOR_BUFFER_BIT;
         }
@@ -201,7 +207,7 @@ class PassRunner {
             glm::vec4{-1, -1, 1, 1}, {1, -1, 1, 1}, {1, 1, 1, 1},
             glm::vec4{-1, -1, 1, 1}, {1, 1, 1, 1},  {-1, 1, 1, 1}};
         std::array<VertexColour, 6> colours;
-        colours.fill(VertexColour(glm::u8vec3(glm::clamp(background, 0.0f, 1.0f) * 255.0f + 0.5f), 255));
+        colours.fill(VertexColour(bytesOf(background), 255));
         gl.ColorPointer(4, GL_UNSIGNED_BYTE, 0, colours.data());
         draw(kCorners);
     }

@@ -42,14 +42,7 @@ Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame
         advice.rows.push_back(std::move(row));
     }
     lab.simulate(before);
-    advice = ranked(std::move(advice));
-    // As auto chooses: what is proved comes before what was only drawn.
-    for (std::size_t i = 0; i < advice.rows.size(); ++i) {
-        if (advice.rows[i].proof.empty() || advice.rows[i].cell.verdict != Verdict::Exact) continue;
-        advice.chosen = i;
-        break;
-    }
-    return advice;
+    return ranked(std::move(advice));
 }
 
 }  // namespace gnomon

@@ -157,12 +157,12 @@ struct FramePredictor::Impl {
         return out;
     }
 
-    bool reachesLimit(const PlannedMask& of) {
-        const Predicted predicted(*this, of);
-        for (int y = 0; y < predicted.mask.height(); ++y)
-            for (int x = 0; x < predicted.mask.width(); ++x)
-                if (predicted.mask.isStuck(x, y)) return true;
-        return false;
+    bool areSame(const PlannedMask& a, const PlannedMask& b) {
+        const Predicted first(*this, a), second(*this, b);
+        for (int y = 0; y < first.mask.height(); ++y)
+            for (int x = 0; x < first.mask.width(); ++x)
+                if (!std::ranges::equal(first.mask.values(x, y), second.mask.values(x, y))) return false;
+        return true;
     }
 
     Explained explain(const RenderedMask& mask) {
@@ -237,8 +237,8 @@ Foreseen FramePredictor::foresee(const PlannedMask& mask, const Truth& truth) {
     return m_impl->foresee(mask, truth);
 }
 
-bool FramePredictor::reachesLimit(const PlannedMask& mask) {
-    return m_impl->reachesLimit(mask);
+bool FramePredictor::areSame(const PlannedMask& a, const PlannedMask& b) {
+    return m_impl->areSame(a, b);
 }
 
 Explained FramePredictor::explain(const RenderedMask& mask) {

@@ -73,9 +73,9 @@ class FramePredictor {
     /// @pre the mask is counted by volumes
     Foreseen foresee(const PlannedMask& mask, const Truth& truth);
 
-    /// Whether the mask may come to its limit in any pixel, so that an entry or an exit is lost.
-    /// @pre the mask is counted by volumes
-    bool reachesLimit(const PlannedMask& mask);
+    /// Whether two plans make the same mask of a light: all that any pixel may hold.
+    /// @pre both are counted by volumes, from as many pixels
+    bool areSame(const PlannedMask& a, const PlannedMask& b);
 
   private:
     struct Impl;

@@ -76,7 +76,7 @@ struct Lab::Impl {
     Scene scene;
     FidelityChoice fidelity{};
     std::optional<Effects> effects{};
-    std::optional<NeedsFinder> needs{};
+    std::optional<NeedsFinder> needsFinder{};
     std::optional<SilhouetteFinder> finder{};
     std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
     std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
@@ -115,7 +115,7 @@ struct Lab::Impl {
         unshadowed.clear();
         eyeInside.clear();
         if (predictor) predictor->select(view());
-        if (needs) needs->select(view());
+        if (needsFinder) needsFinder->select(view());
         nestings.clear();
     }
 
@@ -260,9 +260,9 @@ struct Lab::Impl {
 
     /// What the frame calls for of what @p axes draw.
     FrameNeeds needsOf(const Profile& profile, const Axes& axes) {
-        if (!needs) {
-            needs.emplace(scene);
-            needs->select(view());
+        if (!needsFinder) {
+            needsFinder.emplace(scene);
+            needsFinder->select(view());
         }
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
@@ -276,7 +276,7 @@ struct Lab::Impl {
             LightNeeds one;
             if (hasVolumes) {
                 const Nesting full = nestingOf(axes, i);
-                one = needs->volumes({.light = i,
+                one = needsFinder->volumes({.light = i,
                                       .axes = axes,
                                       .depthBits = bufferFormatOf(profile).depth,
                                       .depth = arithmeticOf(profile, fidelity).depth,
@@ -284,13 +284,11 @@ struct Lab::Impl {
                                       .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
                                       .full = full});
             }
-            if (hasVolumes && isTooDeep(profile, axes, one.full))
-                one.reachesLimit = reachesLimit(profile, axes, i);
             one.brightest = brightestOf(coloursOf(i)->diffuse);
             all.lights.push_back(std::move(one));
         }
         all.brightestAmbient = brightestOf(surfacesOf().ambient);
-        all.nearestSurface = needs->nearestSurface();
+        all.nearestSurface = needsFinder->nearestSurface();
         return all;
     }
 
@@ -299,20 +297,6 @@ struct Lab::Impl {
         const Plan plan = planOf(profile, axes);
         const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
         return nestingWarning(capacity(axes, profile, doubled), nesting).has_value();
-    }
-
-    /// The same in exact arithmetic.
-    bool reachesLimit(const Profile& profile, const Axes& axes, int index) {
-        const BufferFormat format = bufferFormatOf(profile);
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
-        const Plan plan = planOf(profile, axes);
-        return predictorOf().reachesLimit(
-            {.plan = plan,
-             .axes = axes,
-             .format = format,
-             .chip = chip,
-             .light = index,
-             .ordinals = volumesOf(index, volumeKey(profile, axes, index))->ordinals});
     }
 
     Drawing drawingOf(const Profile& profile, const Axes& axes) {
@@ -328,24 +312,44 @@ struct Lab::Impl {
                 .notes = std::move(least.notes)};
     }
 
-    Foreseen foresee(const Profile& profile, const Drawing& drawing) {
+    /// Calls @p use with what is predicted of the masks of light @p index, as @p drawing makes them.
+    template <class Use>
+    auto withPlanned(const Profile& profile, const Drawing& drawing, int index, const Use& use) {
         const BufferFormat format = bufferFormatOf(profile);
         const ChipArithmetic chip = arithmeticOf(profile, fidelity);
+        const auto drawn = drawing.axes.count == Count::AtomicZp ? std::make_shared<const FrameVolumes>()
+                                                                 : drawnVolumes(profile, drawing, index);
+        return use(PlannedMask{.plan = drawing.plan,
+                               .axes = drawing.axes,
+                               .format = format,
+                               .chip = chip,
+                               .light = index,
+                               .ordinals = drawn->ordinals,
+                               .leavesOut = !drawing.isFull});
+    }
+
+    Foreseen foresee(const Profile& profile, const Drawing& drawing) {
         Foreseen all;
         for (const MaskTap& tap : drawing.plan.masks) {
-            const auto truth = truthOf(tap.light, format.depth, chip.depth, drawing.axes.silhouette);
-            const auto drawn = drawnVolumes(profile, drawing, tap.light);
-            const Foreseen one = predictorOf().foresee({.plan = drawing.plan,
-                                                        .axes = drawing.axes,
-                                                        .format = format,
-                                                        .chip = chip,
-                                                        .light = tap.light,
-                                                        .ordinals = drawn->ordinals,
-                                                        .leavesOut = !drawing.isFull},
-                                                       *truth);
+            const Foreseen one = withPlanned(profile, drawing, tap.light, [&](const PlannedMask& mask) {
+                const auto truth =
+                    truthOf(tap.light, mask.format.depth, mask.chip.depth, drawing.axes.silhouette);
+                return predictorOf().foresee(mask, *truth);
+            });
             all.wrong += one.wrong, all.doubtful += one.doubtful;
         }
         return all;
+    }
+
+    /// Whether exact arithmetic has the same masks by both.
+    bool areSame(const Profile& profile, const Drawing& a, const Drawing& b) {
+        return std::all_of(b.plan.masks.begin(), b.plan.masks.end(), [&](const MaskTap& tap) {
+            return withPlanned(profile, a, tap.light, [&](const PlannedMask& first) {
+                return withPlanned(profile, b, tap.light, [&](const PlannedMask& second) {
+                    return predictorOf().areSame(first, second);
+                });
+            });
+        });
     }
 
     std::vector<DrawnAmount> amounts(const Profile& profile, const Drawing& drawing) {
@@ -372,11 +376,28 @@ struct Lab::Impl {
         return *predictor;
     }
 
+    /// Where the bounds allow that the count loses entries or exits, exact arithmetic decides whether what is
+    /// left out changes anything.
     MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
-        return gnomon::minimalPlan(
-            axes, frameShape(profile, axes), profile, needsOf(profile, axes),
-            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes),
-            effects.value_or(Effects::none()));
+        const FrameShape frame = frameShape(profile, axes);
+        const MaskChannel channel =
+            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes);
+        const auto planned = [&](const FrameNeeds& needs) {
+            return gnomon::minimalPlan(axes, frame, profile, needs, channel,
+                                       effects.value_or(Effects::none()));
+        };
+        FrameNeeds needs = needsOf(profile, axes);
+        const auto isDeep = [&](const LightNeeds& light) { return isTooDeep(profile, axes, light.full); };
+        const bool hasVolumes =
+            axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
+        if (!hasVolumes || std::none_of(needs.lights.begin(), needs.lights.end(), isDeep))
+            return planned(needs);
+        for (LightNeeds& light : needs.lights) light.losesNothing = true;
+        MinimalPlan least = planned(needs);
+        if (areSame(profile, {.axes = axes, .plan = planFrame(axes, frame, profile)}, drawingOf(least)))
+            return least;
+        for (LightNeeds& light : needs.lights) light.losesNothing.reset();
+        return planned(needs);
     }
 
     std::vector<VolumeKey> volumeKeys(const Profile& profile, const Axes& axes) {

@@ -147,9 +147,9 @@ class Planner {
         return light.nearDistances[volume] <= 0;
     }
 
-    /// Whether the full plan's count may lose entries or exits.
+    /// Whether the full plan's count may lose entries or exits, and what is left out may matter for it.
     bool isTooDeep(const LightNeeds& light) const {
-        return light.reachesLimit.value_or(isTooDeep(m_axes, light.full));
+        return !light.losesNothing.value_or(!isTooDeep(m_axes, light.full));
     }
     bool isTooDeep(const Axes& axes, const Nesting& nesting) const {
         return nestingWarning(capacity(axes, m_profile, m_doubles), nesting).has_value();

@@ -23,9 +23,9 @@ struct LightNeeds {
     bool eyeIsOnFace = false;             ///< of a volume
     bool seesBackground = true;           ///< some pixel does
     bool seesBackgroundInWindows = true;  ///< some pixel in a volume's window does
-    /// Whether any pixel of the full plan's mask may come to its limit, so that an entry or an exit is lost;
-    /// if that is known. Else the bounds below tell.
-    std::optional<bool> reachesLimit{};
+    /// Set where the bounds below don't tell: what is left out changes no mask, though counts may come to
+    /// their limits.
+    std::optional<bool> losesNothing{};
     Nesting full{};     ///< of all volumes, from the end from which the full plan counts
     Nesting fromEye{};  ///< of those with a window
 };

@@ -205,7 +205,7 @@ Json planJson(const AdviceRow& row) {
         const Pass& pass = plan.passes[i];
         passes.push_back({{"kind", kindName(pass.kind)},
                           {"label", pass.label},
-                          {"state", describeState(pass)},
+                          {"state", describeState(pass, row.minimal.plan.windows)},
                           {"chip_terms", i < row.chipTerms.size() ? row.chipTerms[i] : ""},
                           {"reason", reasonFor(plan, i, row.minimal.notes)},
                           {"scissor", extentJson(plan, pass)},
