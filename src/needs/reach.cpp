@@ -85,8 +85,8 @@ struct BoxPlane {
     glm::dvec3 normal{}, size{};  ///< its components without signs
     double height = 0;            ///< less all rounding
 
-    /// @param farthest  no coordinate of a box lies farther away
     BoxPlane() = default;
+    /// @param farthest  no coordinate of a box lies farther away
     BoxPlane(const Plane& plane, double farthest) : normal(plane.normal), size(glm::abs(plane.normal)) {
         const double slack = kRounding * (std::abs(plane.height) + farthest * (size.x + size.y + size.z)) +
                              3 * plane.normalError * farthest + plane.heightError;
