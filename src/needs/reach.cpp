@@ -85,8 +85,8 @@ struct BoxPlane {
     glm::dvec3 normal{}, size{};  ///< its components without signs
     double height = 0;            ///< less all rounding
 
-    /// @param farthest  no coordinate of a box lies farther away
     BoxPlane() = default;
+    /// @param farthest  no coordinate of a box lies farther away
     BoxPlane(const Plane& plane, double farthest) : normal(plane.normal), size(glm::abs(plane.normal)) {
         const double slack = kRounding * (std::abs(plane.height) + farthest * (size.x + size.y + size.z)) +
                              3 * plane.normalError * farthest + plane.heightError;
@@ -339,12 +339,13 @@ class Volume {
                 .sides = {m_sides.begin(), m_sides.end()}};
     }
 
+    /// Whether reaches() is worth asking about a patch that is only one of many.
+    bool isQuick() const { return m_tree || isSmall(); }
+
     /// Whether it may hold something of the patch, or touch it.
     bool reaches(Beam& beam) {
-        const std::size_t parts = m_caps.size() + m_sides.size();
-        constexpr std::size_t kFew = 8;
-        if (parts <= kFew) {
-            for (std::uint32_t i = 0; i < parts; ++i)
+        if (isSmall()) {
+            for (std::uint32_t i = 0; i < m_caps.size() + m_sides.size(); ++i)
                 if (reaches(beam, i)) return true;
             return false;
         }
@@ -354,6 +355,8 @@ class Volume {
     }
 
   private:
+    bool isSmall() const { return m_caps.size() + m_sides.size() <= 8; }
+
     /// @p part  a cap, or after all of them a side
     bool reaches(Beam& beam, std::uint32_t part) const {
         if (part < m_caps.size()) {
@@ -469,7 +472,8 @@ std::vector<WindowRect> windowsOf(std::vector<Volume>& all, const glm::dvec4& li
         found.clear();
         Beam whole(group.corners(view), light, farthest);
         tree.find(whole, [&](std::uint32_t v) {
-            if (!holds(windows[v], group.pixels) && all[v].reaches(whole)) found.push_back(v);
+            if (holds(windows[v], group.pixels)) return false;
+            if (!all[v].isQuick() || all[v].reaches(whole)) found.push_back(v);
             return false;
         });
         if (found.empty()) return;
