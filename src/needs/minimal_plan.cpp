@@ -235,6 +235,7 @@ class Planner {
 
     /// Why nothing is known of where single volumes matter.
     std::optional<std::string> noWindows(const LightNeeds& light, int holdingEye) const {
+        if (m_axes.offset != 0) return "volumes start behind their casters";
         if (!light.isClosed) return "the volumes are not closed";
         if (light.eyeIsOnFace) return "the eye is on a face of a volume";
         if (isTooDeep(light)) return "volumes may nest deeper than the method holds";
