@@ -161,7 +161,9 @@ struct FramePredictor::Impl {
         const Predicted first(*this, a), second(*this, b);
         for (int y = 0; y < first.mask.height(); ++y)
             for (int x = 0; x < first.mask.width(); ++x)
-                if (!std::ranges::equal(first.mask.values(x, y), second.mask.values(x, y))) return false;
+                if (first.mask.value(x, y) != second.mask.value(x, y) ||
+                    !std::ranges::includes(first.mask.values(x, y), second.mask.values(x, y)))
+                    return false;
         return true;
     }
 

@@ -73,7 +73,8 @@ class FramePredictor {
     /// @pre the mask is counted by volumes
     Foreseen foresee(const PlannedMask& mask, const Truth& truth);
 
-    /// Whether two plans make the same mask of a light: all that any pixel may hold.
+    /// Whether two plans make the same mask of a light in exact arithmetic, and a rasteriser that rounds
+    /// makes nothing by @p b that it may not make by @p a.
     /// @pre both are counted by volumes, from as many pixels
     bool areSame(const PlannedMask& a, const PlannedMask& b);
 

@@ -352,18 +352,35 @@ class Planner {
         out.axes = fewer;
     }
 
+    /// Rectangles over the mask that a window saves something of, at least.
+    double normalisations() const {
+        switch (out.axes.arithmetic) {
+            case Arithmetic::Double:
+                return out.axes.levels + 1;
+            case Arithmetic::Halve:
+            case Arithmetic::Parity:
+                return 1;
+            case Arithmetic::Count:
+                return m_doubles ? 2 : 1;
+        }
+        return 1;
+    }
+
     /// What a lit pixel's mask ends as; where no clear makes that, the mask is drawn everywhere.
     void finishMasks() {
         if (m_axes.store == Store::Stencil) return;
         const auto finished = finishedMask(out.axes, oneLight(0), m_profile, m_channel);
+        const WindowRect whole = wholeMask();
         for (LightShape& light : m_shape.lights) {
             if (!light.window) continue;
-            if (finished) {
+            // A second clear where the mask starts must be worth it.
+            const double inside = areaOf(light.window->all), outside = areaOf(whole) - inside;
+            if (finished && inside <= normalisations() * outside) {
                 light.finished = finished->value;
                 light.finishedIsNeutral =
                     m_full.lights.size() == 1 && finished->isNeutral && !m_wanted.has(Effect::Window);
             } else {
-                light.window->all = wholeMask();
+                light.window->all = whole;
             }
         }
         if (finished) return;
