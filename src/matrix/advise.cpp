@@ -30,13 +30,9 @@ Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame
             row.fullAmount = sumOf(lab.fullAmounts(profile, option.axes, width, height, frame));
             for (const Pass& pass : row.minimal.plan.passes)
                 row.chipTerms.push_back(chipTerms(pass, profile, row.minimal.plan));
-            if (option.axes.store != Store::DepthMap) {
-                const Foreseen foreseen = lab.foresee(profile, row.minimal, width, height, frame);
-                if (foreseen.wrong == 0 && foreseen.doubtful == 0)
-                    row.proof =
-                        "exact arithmetic has every untied pixel as truth has it, however a rasteriser "
-                        "rounds";
-            }
+            if (option.axes.store != Store::DepthMap &&
+                lab.wrongPixels(profile, row.minimal, width, height, frame) == 0)
+                row.proof = "exact arithmetic has every untied pixel as ray tracing has it";
         }
         advice.fidelity = row.cell.fidelity;
         advice.rows.push_back(std::move(row));

@@ -23,8 +23,8 @@ enum class Verdict {
 
 /// How sure it is that a chosen method is exact.
 enum class Proof {
-    Predicted,  ///< exact arithmetic shows each untied pixel as truth has it, however a rasteriser rounds
-    Drawn,      ///< it was drawn, and is exact; exact arithmetic can't rule out that it might not be
+    Predicted,  ///< exact arithmetic has every untied pixel as truth has it
+    Drawn,      ///< it was drawn, and is exact: a shadow map, of which exact arithmetic promises nothing
     None,       ///< no method is exact; this one is wrong in the fewest pixels
     Refused,    ///< the chip can run no method
 };

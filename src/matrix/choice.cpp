@@ -70,8 +70,7 @@ Choice choose(Lab& lab, const Profile& profile, const std::vector<Option>& optio
     if (end == options.begin()) return {.option = options.front()};
     for (auto option = options.begin(); option != end; ++option) {
         if (option->axes.store == Store::DepthMap) continue;
-        const Foreseen foreseen = lab.foresee(profile, option->plan, width, height, frame);
-        if (foreseen.wrong == 0 && foreseen.doubtful == 0)
+        if (lab.wrongPixels(profile, option->plan, width, height, frame) == 0)
             return {.option = *option, .proof = Proof::Predicted};
     }
     const Simulating needed(lab, Effects::none());

@@ -138,23 +138,12 @@ struct FramePredictor::Impl {
         return indices;
     }
 
-    Foreseen foresee(const PlannedMask& of, const Truth& truth) {
+    int wrongPixels(const PlannedMask& of, const Truth& truth) {
         Predicted predicted(*this, of);
         std::vector<bool> shadow(truth.blocked.size());
         for (std::size_t p = 0; p < shadow.size(); ++p) shadow[p] = predicted.window.shadow(p);
-        const Judgement judgement =
-            judge(truth, shadow, of.axes.maskDivisor, of.axes.arithmetic != Arithmetic::Count);
-        Foreseen out{.wrong = judgement.wrong()};
-        if (of.axes.maskDivisor != 1) return out;
-        for (std::size_t p = 0; p < shadow.size(); ++p) {
-            if (judgement.pixels[p] != PixelVerdict::Right || truth.facesAway[p]) continue;
-            const int x = int(p) % truth.width, y = int(p) / truth.width;
-            const auto values = predicted.mask.values(x, y);
-            out.doubtful += std::any_of(values.begin(), values.end(), [&](int value) {
-                return predicted.mask.isShadow(value) != truth.blocked[p];
-            });
-        }
-        return out;
+        const bool clamps = of.axes.arithmetic != Arithmetic::Count;
+        return judge(truth, shadow, of.axes.maskDivisor, clamps).wrong();
     }
 
     bool areSame(const PlannedMask& a, const PlannedMask& b) {
@@ -235,8 +224,8 @@ void FramePredictor::select(const View& view) {
     m_impl->windows.clear();
 }
 
-Foreseen FramePredictor::foresee(const PlannedMask& mask, const Truth& truth) {
-    return m_impl->foresee(mask, truth);
+int FramePredictor::wrongPixels(const PlannedMask& mask, const Truth& truth) {
+    return m_impl->wrongPixels(mask, truth);
 }
 
 bool FramePredictor::areSame(const PlannedMask& a, const PlannedMask& b) {

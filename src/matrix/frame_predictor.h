@@ -51,12 +51,6 @@ struct PlannedMask {
     bool leavesOut = false;                     ///< likewise
 };
 
-/// What a mask will show.
-struct Foreseen {
-    int wrong = 0;     ///< untied pixels that are wrong in exact arithmetic
-    int doubtful = 0;  ///< untied pixels that may come out wrong as a rasteriser rounds
-};
-
 /// Holds rendered masks against their prediction, and says why wrong pixels are wrong. Keeps what the masks
 /// of one frame share.
 class FramePredictor {
@@ -70,8 +64,10 @@ class FramePredictor {
 
     Explained explain(const RenderedMask& mask);
 
+    /// Untied pixels in which the mask will be wrong, in exact arithmetic. A rasteriser that rounds can turn
+    /// none but tied ones.
     /// @pre the mask is counted by volumes
-    Foreseen foresee(const PlannedMask& mask, const Truth& truth);
+    int wrongPixels(const PlannedMask& mask, const Truth& truth);
 
     /// Whether two plans make the same mask of a light in exact arithmetic, and a rasteriser that rounds
     /// makes nothing by @p b that it may not make by @p a.

@@ -277,12 +277,12 @@ struct Lab::Impl {
             if (hasVolumes) {
                 const Nesting full = nestingOf(axes, i);
                 one = needsFinder->volumes({.light = i,
-                                      .axes = axes,
-                                      .depthBits = bufferFormatOf(profile).depth,
-                                      .depth = arithmeticOf(profile, fidelity).depth,
-                                      .lit = litOf(i, axes.silhouette, axes.capFaces),
-                                      .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
-                                      .full = full});
+                                            .axes = axes,
+                                            .depthBits = bufferFormatOf(profile).depth,
+                                            .depth = arithmeticOf(profile, fidelity).depth,
+                                            .lit = litOf(i, axes.silhouette, axes.capFaces),
+                                            .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
+                                            .full = full});
             }
             one.brightest = brightestOf(coloursOf(i)->diffuse);
             all.lights.push_back(std::move(one));
@@ -328,17 +328,15 @@ struct Lab::Impl {
                                .leavesOut = !drawing.isFull});
     }
 
-    Foreseen foresee(const Profile& profile, const Drawing& drawing) {
-        Foreseen all;
-        for (const MaskTap& tap : drawing.plan.masks) {
-            const Foreseen one = withPlanned(profile, drawing, tap.light, [&](const PlannedMask& mask) {
+    int wrongPixels(const Profile& profile, const Drawing& drawing) {
+        int wrong = 0;
+        for (const MaskTap& tap : drawing.plan.masks)
+            wrong += withPlanned(profile, drawing, tap.light, [&](const PlannedMask& mask) {
                 const auto truth =
                     truthOf(tap.light, mask.format.depth, mask.chip.depth, drawing.axes.silhouette);
-                return predictorOf().foresee(mask, *truth);
+                return predictorOf().wrongPixels(mask, *truth);
             });
-            all.wrong += one.wrong, all.doubtful += one.doubtful;
-        }
-        return all;
+        return wrong;
     }
 
     /// Whether exact arithmetic has the same masks by both.
@@ -600,9 +598,9 @@ MinimalPlan Lab::minimalPlan(const Profile& profile, const Axes& axes, int width
     return m_impl->minimalOf(profile, normalised(axes));
 }
 
-Foreseen Lab::foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame) {
+int Lab::wrongPixels(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame) {
     m_impl->select({width, height, frame});
-    return m_impl->foresee(profile, Impl::drawingOf(minimal));
+    return m_impl->wrongPixels(profile, Impl::drawingOf(minimal));
 }
 
 std::vector<std::vector<double>> Lab::frameMs(const Profile& profile, const Axes& axes,

@@ -75,9 +75,10 @@ class Lab {
     /// How deep the volumes of any light may nest in the method's mask.
     Nesting nesting(const Axes& axes, int width, int height, int frame);
 
-    /// What the mask of a minimal plan will show; of several lights the sums.
+    /// Untied pixels in which the masks of a minimal plan will be wrong, in exact arithmetic; of several
+    /// lights the sum.
     /// @pre axes count by volumes, and the chip lacks nothing
-    Foreseen foresee(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame);
+    int wrongPixels(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame);
 
     /// What each pass of a minimal plan draws.
     std::vector<DrawnAmount> amounts(const Profile& profile, const MinimalPlan& minimal, int width,
