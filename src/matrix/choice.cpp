@@ -39,10 +39,16 @@ std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int w
             return lab.missingFor(profile, axes, lab.plan(profile, axes, width, height, frame));
         };
         if (option.axes.arithmetic == Arithmetic::Double) {
-            Axes more = option.axes;
-            more.levels =
-                std::clamp(lab.nesting(more, width, height, frame).levels, more.levels, kMostLevels);
-            if (lacks(more).empty()) option.axes = more;
+            // As many levels as may nest, or fewer where these are exact too.
+            const int most = std::clamp(lab.nesting(option.axes, width, height, frame).levels,
+                                        row.axes.levels, kMostLevels);
+            for (Axes more = option.axes; more.levels <= most; ++more.levels) {
+                if (!lacks(more).empty()) break;
+                option.axes = more;
+                if (more.levels == most) break;
+                const MinimalPlan plan = lab.minimalPlan(profile, more, width, height, frame);
+                if (lab.wrongPixels(profile, plan, width, height, frame) == 0) break;
+            }
         }
         option.missing = lacks(option.axes);
         if (option.missing.empty()) {
