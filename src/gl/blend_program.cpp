@@ -137,6 +137,28 @@ std::optional<std::string> blendUnitLacks(const BufferFormat& format, const Chip
     return {};
 }
 
+bool storesAsOpenGl(const BufferFormat& format, const ChipArithmetic& chip, DitherMode dither,
+                    unsigned channels, bool blends, bool isOpenGls) {
+    if (!isBytes(format) || (isGs(chip.unit) && (channels & 8)) || dithers(dither, 8)) return false;
+    return !blends || (chip.fidelity == Fidelity::Gl && isOpenGls);
+}
+
+bool dependsOnChip(const BufferFormat& format, const ChipArithmetic& chip, const Pass& pass) {
+    if (chip.fidelity == Fidelity::Gl || pass.target == Target::DepthMap || pass.kind == PassKind::Copy)
+        return false;
+    if (pass.kind == PassKind::Clear) return pass.write.any() && !isBytes(format);
+    if (storesOtherDepth(format, chip) && (pass.depthTest || pass.depthWrite)) return true;
+    unsigned channels = 0;
+    const std::array written{pass.write.red, pass.write.green, pass.write.blue, pass.write.alpha};
+    for (int c = 0; c < 4; ++c)
+        if (written[std::size_t(c)] && channelBits(format, c) > 0) channels |= 1u << c;
+    // Masks are drawn undithered, and the rest as the chip's driver does.
+    const DitherMode dither = chip.dither == DitherMode::Off ? chip.undithered : chip.dither;
+    return channels != 0 &&
+           !storesAsOpenGl(format, chip, dither, channels, pass.blend.enabled && !pass.logicInvert,
+                           pass.blend.equation < BlendEquation::AddWrap);
+}
+
 std::string vertexProgram(const EmulatedDraw& state) {
     if (!state.writesDepth || state.chip.depth != DepthEncoding::VoodooW) return {};
     // z = w - 2 * near: half of what is between them is near, of points at infinity 0.

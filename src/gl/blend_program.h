@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gl/emulated_draw.h"
+#include "gl/pixel_words.h"
 #include "plan/plan.h"
 
 namespace gnomon {
@@ -24,6 +25,15 @@ std::optional<std::string> blendUnitLacks(const BufferFormat& format, const Chip
 
 /// The vertex program that goes with it; empty: OpenGL's own.
 std::string vertexProgram(const EmulatedDraw& state);
+
+/// Whether OpenGL's own store of @p channels (bits) gives what the chip's would.
+/// @param isOpenGls  the equation, if the draw blends
+bool storesAsOpenGl(const BufferFormat& format, const ChipArithmetic& chip, DitherMode dither,
+                    unsigned channels, bool blends, bool isOpenGls);
+
+/// Whether what @p pass leaves can depend on the chip's rounding, dither or depth format, so that it is drawn
+/// by a program at Fidelity::Chip.
+bool dependsOnChip(const BufferFormat& format, const ChipArithmetic& chip, const Pass& pass);
 
 /// Whether the chip's depth must be written by a program: OpenGL's buffer would store another.
 bool storesOtherDepth(const BufferFormat& format, const ChipArithmetic& chip);

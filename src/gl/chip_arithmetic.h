@@ -24,7 +24,8 @@ struct ChipArithmetic {
     DitherMode dither = DitherMode::Off;      ///< while GL_DITHER is enabled
     DitherMode undithered = DitherMode::Off;  ///< while it is not: off, unless the chip can't do without
     DepthEncoding depth = DepthEncoding::Linear;
-    bool wraps = false;  ///< Fidelity::Gl: knows sums that wrap, which OpenGL has not
+    bool wraps = false;       ///< Fidelity::Gl: knows sums that wrap, which OpenGL has not
+    bool everywhere = false;  ///< Fidelity::Chip: draws that OpenGL gets right by itself are emulated too
     auto operator<=>(const ChipArithmetic&) const = default;
 };
 

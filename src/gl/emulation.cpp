@@ -153,18 +153,15 @@ class Emulation {
 
     DitherMode ditherMode() const { return s.dither ? m_chip.dither : m_chip.undithered; }
 
-    /// Whether the words are what OpenGL's RGBA8 holds.
-    bool isBytes() const {
-        const bool alpha = m_format.alpha == 8 || m_format.alpha == 0;
-        return m_format.red == 8 && m_format.green == 8 && m_format.blue == 8 && alpha;
-    }
+    bool isBytes() const { return gnomon::isBytes(m_format); }
 
-    /// Whether OpenGL's own store gives what the chip's would for the state as it is.
+    /// Whether OpenGL's own store is the chip's for the state as it is.
     bool storesAsOpenGl(unsigned channels) const {
-        if (!isBytes() || (isGs() && (channels & 8)) || dithers(ditherMode(), 8)) return false;
-        if (s.logicOps || !s.blend) return true;  // a logic operation takes the place of blending
+        if (m_chip.everywhere) return false;
+        // A logic operation takes the place of blending.
         const bool openGls = s.equation[0] < BlendEquation::AddWrap && s.equation[1] < BlendEquation::AddWrap;
-        return m_chip.fidelity == Fidelity::Gl && openGls;
+        return gnomon::storesAsOpenGl(m_format, m_chip, ditherMode(), channels, s.blend && !s.logicOps,
+                                      openGls);
     }
 
     void makeBuffers() {

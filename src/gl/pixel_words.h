@@ -13,6 +13,12 @@ namespace gnomon {
 // How the emulation keeps a pixel: the codes of its channels side by side in one unsigned integer of 16 or 32
 // bits, red lowest. Of 8888 this is what OpenGL's RGBA8 holds, byte by byte.
 
+/// Whether the words are what OpenGL's RGBA8 holds.
+constexpr bool isBytes(const BufferFormat& format) {
+    return format.red == 8 && format.green == 8 && format.blue == 8 &&
+           (format.alpha == 8 || format.alpha == 0);
+}
+
 /// Bits of a word of @p format: 16 or 32.
 constexpr int wordBits(const BufferFormat& format) {
     return format.red + format.green + format.blue + format.alpha <= 16 ? 16 : 32;

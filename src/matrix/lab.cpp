@@ -209,6 +209,7 @@ struct Lab::Impl {
         chip.wraps = chip.wraps && std::any_of(plan.passes.begin(), plan.passes.end(), [](const Pass& pass) {
                          return pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap;
                      });
+        chip.everywhere = emulatesEverywhere();
         auto& context = contexts[{format, chip, key.width, key.height}];
         if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip);
         return *context;
@@ -374,9 +375,30 @@ struct Lab::Impl {
         return *predictor;
     }
 
+    MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
+        MinimalPlan least = leastPlanOf(profile, axes);
+        if (fidelity.fidelity != Fidelity::Chip) return least;
+        const auto depends = [&, format = bufferFormatOf(profile), chip = arithmeticOf(profile, fidelity)](
+                                 const Pass& pass) { return dependsOnChip(format, chip, pass); };
+        const auto& passes = least.plan.passes;
+        const auto count = std::size_t(std::count_if(passes.begin(), passes.end(), depends));
+        const bool isAsked = emulatesEverywhere() && count < passes.size();
+        least.notes.push_back(
+            {.effect = Effect::Emulation,
+             .isDrawn = isAsked || count == passes.size(),
+             .isAsked = isAsked,
+             .fact = fmt::format("{} of {} passes can depend on the chip's rounding, dither or depth format",
+                                 count, passes.size())});
+        return least;
+    }
+
+    bool emulatesEverywhere() const {
+        return fidelity.fidelity == Fidelity::Chip && effects && effects->has(Effect::Emulation);
+    }
+
     /// Where the bounds allow that the count loses entries or exits, exact arithmetic decides whether what is
     /// left out changes anything.
-    MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
+    MinimalPlan leastPlanOf(const Profile& profile, const Axes& axes) {
         const FrameShape frame = frameShape(profile, axes);
         const MaskChannel channel =
             maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes);
@@ -691,6 +713,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
         m_impl->addNesting(cell, profile, axes, plan);
         const Drawing drawing = m_impl->drawingOf(profile, axes);
         const std::string key =
+            (m_impl->emulatesEverywhere() ? "everywhere " : "") +
             resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity), drawing.plan,
                       drawing.axes, m_impl->volumeKeys(profile, drawing.axes), drawing.volumes);
         const auto known = m_impl->results.find(key);
@@ -699,6 +722,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             same.profile = profile.id;
             same.method = cell.method;
             same.axes = axes;
+            same.effects = cell.effects;
             same.nesting = cell.nesting, same.warnings = cell.warnings;
             return same;
         }

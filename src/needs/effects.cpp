@@ -7,8 +7,8 @@ namespace gnomon {
 namespace {
 
 const std::array<std::string, kEffects>& names() {
-    static const std::array<std::string, kEffects> kNames{"lights",   "ambient", "volumes", "near-caps",
-                                                          "far-caps", "levels",  "window",  "mask"};
+    static const std::array<std::string, kEffects> kNames{
+        "lights", "ambient", "volumes", "near-caps", "far-caps", "levels", "window", "emulation", "mask"};
     return kNames;
 }
 

@@ -9,17 +9,18 @@ namespace gnomon {
 /// The parts of a frame's simulation that a scene may or may not call for. A minimal plan has each only as
 /// far as the scene calls for it; a full plan has all.
 enum class Effect {
-    Lights,    ///< passes of lights that give nothing to what is seen
-    Ambient,   ///< adding an ambient part that is black
-    Volumes,   ///< volumes that hold no point that is seen
-    NearCaps,  ///< caps at the near plane, counting from infinity or from the eye: z-pass, or with caps,
-               ///< instead
-    FarCaps,   ///< caps at infinity, where z-pass sees no background
-    Levels,    ///< levels of nesting that doubling resolves
-    Window,    ///< mask passes outside of the rectangles in which volumes matter
-    Mask,      ///< the mask itself where nothing can be in shadow
+    Lights,     ///< passes of lights that give nothing to what is seen
+    Ambient,    ///< adding an ambient part that is black
+    Volumes,    ///< volumes that hold no point that is seen
+    NearCaps,   ///< caps at the near plane, counting from infinity or from the eye: z-pass, or with caps,
+                ///< instead
+    FarCaps,    ///< caps at infinity, where z-pass sees no background
+    Levels,     ///< levels of nesting that doubling resolves
+    Window,     ///< mask passes outside of the rectangles in which volumes matter
+    Emulation,  ///< programs of the chip's arithmetic for draws that don't depend on it
+    Mask,       ///< the mask itself where nothing can be in shadow
 };
-constexpr int kEffects = 8;
+constexpr int kEffects = 9;
 
 /// Those that are simulated though nothing calls for them.
 class Effects {

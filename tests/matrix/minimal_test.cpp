@@ -69,6 +69,25 @@ TEST_P(MinimalPlans, ShowWhatFullPlansShow) {
 INSTANTIATE_TEST_SUITE_P(Scenes, MinimalPlans, testing::ValuesIn(allSceneIds()),
                          [](const auto& test) { return testNameOf(test.param); });
 
+// The same where the chips' own arithmetic is emulated, with dithering too; a full plan emulates all draws.
+TEST(MinimalPlan, ShowsWhatTheFullOneShowsInTheChipsArithmetic) {
+    for (const char* scene : {"boxes", "hard/nesting-3"}) {
+        Lab lab(shippedScene(scene));
+        for (const bool dithers : {false, true}) {
+            lab.use({.fidelity = Fidelity::Chip, .dithers = dithers});
+            for (const char* profile : {"voodoo1", "ps2", "xbox", "xbox-565", "gamecube-888", "dreamcast"}) {
+                for (const NamedMethod& named : namedMethods()) {
+                    if (named.axes.automatic) continue;
+                    const Shown full = drawn(lab, Effects::all(), chip(profile), named.axes, 0);
+                    if (full.cell.verdict == Verdict::Refused) continue;
+                    expectSame(full, drawn(lab, Effects::none(), chip(profile), named.axes, 0),
+                               full.cell.id());
+                }
+            }
+        }
+    }
+}
+
 // Each effect by itself, kept though nothing calls for it.
 TEST(MinimalPlan, IsTheFullOneWithAnyEffectsKept) {
     for (const char* scene : {"boxes", "hard/eye-inside-several", "knot"}) {
