@@ -60,6 +60,7 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
 
 int run(const Options& options) {
     const Format format = options.format.value();
+    const std::optional<Effects> effects = options.effects.value();
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
@@ -80,7 +81,7 @@ int run(const Options& options) {
         methods = options.methods.axes(dropped);
         if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
     }
-    lab.simulate(options.effects.value());
+    lab.simulate(effects);
     std::vector<PlanSheet> sheets;
     for (const Axes& axes : methods) sheets.push_back(sheetOf(lab, profile, size, options, axes));
     fmt::print("{}", showPlans(sheets, format));

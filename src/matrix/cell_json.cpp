@@ -100,6 +100,7 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.axes.count = wordOf<Count>(j.at("count"), kCounts);
     c.axes.silhouette = wordOf<Silhouette>(j.at("silhouette"), kSilhouettes);
     c.axes.maskDivisor = int(std::lround(1 / double(j.at("mask_scale"))));
+    c.axes.automatic = c.method == "auto" && !j.contains("drawn_by");
     c.axes.apply = wordOf<Apply>(j.at("apply"), 2);
     c.axes.shade = wordOf<Shade>(j.at("shade"), kShades);
     c.axes.start = wordOf<Start>(j.value("start", name(Start::Zero)), kStarts);

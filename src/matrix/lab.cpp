@@ -293,13 +293,6 @@ struct Lab::Impl {
         return all;
     }
 
-    /// Whether the bounds allow that the method's count loses entries or exits.
-    bool isTooDeep(const Profile& profile, const Axes& axes, const Nesting& nesting) {
-        const Plan plan = planOf(profile, axes);
-        const bool doubled = plan.masks.empty() || !plan.masks.front().alphaTest.enabled;
-        return nestingWarning(capacity(axes, profile, doubled), nesting).has_value();
-    }
-
     Drawing drawingOf(const Profile& profile, const Axes& axes) {
         if (!effects || *effects == Effects::all()) return {.axes = axes, .plan = planOf(profile, axes)};
         return drawingOf(minimalOf(profile, axes));
@@ -376,7 +369,22 @@ struct Lab::Impl {
     }
 
     MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
-        MinimalPlan least = leastPlanOf(profile, axes);
+        const Effects wanted = effects.value_or(Effects::none());
+        MinimalPlan least = leastPlanOf(profile, axes, wanted);
+        if (axes.count == Count::Zfail && least.axes.count == Count::ZpassCap) {
+            // Caps at the near plane fill the window where it lies in a volume.
+            Effects zfail = wanted;
+            zfail.add(Effect::NearCaps);
+            MinimalPlan other = leastPlanOf(profile, axes, zfail);
+            if (touched(profile, other) < touched(profile, least)) {
+                least = std::move(other);
+                for (EffectNote& note : least.notes) {
+                    if (note.effect != Effect::NearCaps) continue;
+                    note.isAsked = false;
+                    note.fact += "; z-fail touches fewer pixels there than z-pass with near caps";
+                }
+            }
+        }
         if (fidelity.fidelity != Fidelity::Chip) return least;
         const auto depends = [&, format = bufferFormatOf(profile), chip = arithmeticOf(profile, fidelity)](
                                  const Pass& pass) { return dependsOnChip(format, chip, pass); };
@@ -392,31 +400,32 @@ struct Lab::Impl {
         return least;
     }
 
+    std::int64_t touched(const Profile& profile, const MinimalPlan& plan) {
+        TouchedPixels all;
+        for (const DrawnAmount& pass : amounts(profile, drawingOf(plan))) all += pass.pixels;
+        return all.total();
+    }
+
     bool emulatesEverywhere() const {
         return fidelity.fidelity == Fidelity::Chip && effects && effects->has(Effect::Emulation);
     }
 
-    /// Where the bounds allow that the count loses entries or exits, exact arithmetic decides whether what is
-    /// left out changes anything.
-    MinimalPlan leastPlanOf(const Profile& profile, const Axes& axes) {
+    /// Where a mask may lose entries or exits, or keep a residue of them, exact arithmetic decides whether
+    /// what is left out changes anything.
+    MinimalPlan leastPlanOf(const Profile& profile, const Axes& axes, const Effects& wanted) {
         const FrameShape frame = frameShape(profile, axes);
         const MaskChannel channel =
             maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes);
         const auto planned = [&](const FrameNeeds& needs) {
-            return gnomon::minimalPlan(axes, frame, profile, needs, channel,
-                                       effects.value_or(Effects::none()));
+            return gnomon::minimalPlan(axes, frame, profile, needs, channel, wanted);
         };
         FrameNeeds needs = needsOf(profile, axes);
-        const auto isDeep = [&](const LightNeeds& light) { return isTooDeep(profile, axes, light.full); };
-        const bool hasVolumes =
-            axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        if (!hasVolumes || std::none_of(needs.lights.begin(), needs.lights.end(), isDeep))
-            return planned(needs);
+        if (!mayLoseCounts(axes, frame, profile, needs, channel)) return planned(needs);
         for (LightNeeds& light : needs.lights) light.losesNothing = true;
         MinimalPlan least = planned(needs);
         if (areSame(profile, {.axes = axes, .plan = planFrame(axes, frame, profile)}, drawingOf(least)))
             return least;
-        for (LightNeeds& light : needs.lights) light.losesNothing.reset();
+        for (LightNeeds& light : needs.lights) light.losesNothing = false;
         return planned(needs);
     }
 

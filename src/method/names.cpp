@@ -134,7 +134,7 @@ const std::vector<NamedMethod>& namedMethods() {
             "destination alpha counts by steps that wrap or clamp; an alpha test tells them apart"),
         row("screen-parity", blended(Screen, Parity), "DOLPHIN PR 10841, 10864: F-Zero GX",
             "faces in front of the surface invert the colour buffer"),
-        row("auto", {.automatic = true}, "gnomon: needs, predict and cost",
+        row("auto", {.automatic = true}, "gnomon: of these, Heidmann 1991 to Usta et al. 2019",
             "for each frame and chip the cheapest of these that is proved exact there"),
     };
     return methods;

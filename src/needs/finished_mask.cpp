@@ -22,15 +22,24 @@ MaskChannel withChannel(MaskChannel mask, int channel) {
     return mask;
 }
 
-/// A mask of some pixels in which so many volumes lie around the visible point.
-Crossings nested(int volumes) {
+/// How a volume lies on a ray.
+struct Lies {
+    enum Where { Around, Before, Behind } where = Around;
+    int times = 1;  ///< that the ray enters and leaves it: it may be folded
+};
+
+/// A mask of some pixels whose rays meet such volumes.
+Crossings crossingsOf(const std::vector<Lies>& volumes) {
     Crossings all;
     all.width = all.height = kSide;
     Signature signature;
-    for (int v = 0; v < volumes; ++v) {
-        signature.push_back(
-            {.volume = std::uint32_t(v), .front = true, .exact = kBefore, .possible = kBefore});
-        signature.push_back({.volume = std::uint32_t(v), .exact = kBehind, .possible = kBehind});
+    for (std::uint32_t v = 0; v < volumes.size(); ++v) {
+        const std::uint8_t front = volumes[v].where == Lies::Behind ? kBehind : kBefore;
+        const std::uint8_t back = volumes[v].where == Lies::Before ? kBefore : kBehind;
+        for (int i = 0; i < volumes[v].times; ++i) {
+            signature.push_back({.volume = v, .front = true, .exact = front, .possible = front});
+            signature.push_back({.volume = v, .exact = back, .possible = back});
+        }
     }
     std::sort(signature.begin(), signature.end());
     all.signatures.push_back(std::move(signature));
@@ -40,12 +49,12 @@ Crossings nested(int volumes) {
 
 /// The finished mask, by pixel.
 std::vector<int> finishedCodes(const Axes& axes, FrameShape one, const Profile& profile,
-                               const MaskChannel& channel, int volumes) {
+                               const MaskChannel& channel, const std::vector<Lies>& volumes) {
     one.width = one.height = kSide * axes.maskDivisor;
-    one.lights.front().volumes = volumes;
+    one.lights.front().volumes = int(volumes.size());
     const Plan plan = planFrame(axes, one, profile);
-    const Crossings crossings = nested(volumes);
-    std::vector<int> indices(std::size_t(std::max(volumes, 0)));
+    const Crossings crossings = crossingsOf(volumes);
+    std::vector<int> indices(volumes.size());
     std::iota(indices.begin(), indices.end(), 0);
     const MaskPrediction prediction(
         {.plan = plan, .crossings = crossings, .arithmetic = channel, .planVolumes = indices});
@@ -100,7 +109,7 @@ std::optional<FinishedMask> finishedMask(const Axes& axes, const FrameShape& one
     for (const int c : channelsOf(axes)) {
         const MaskChannel channel = withChannel(mask, c);
         if (channel.bits() == 0) return std::nullopt;
-        codes.emplace_back(channel, finishedCodes(axes, one, profile, channel, 0));
+        codes.emplace_back(channel, finishedCodes(axes, one, profile, channel, {}));
     }
     for (int value = 255; value >= 0; --value) {
         const float share = float(value) / 255;
@@ -126,11 +135,39 @@ std::optional<int> firstDifference(const Axes& a, const Axes& b, const FrameShap
     for (const int c : channelsOf(a)) {
         const MaskChannel channel = withChannel(mask, c);
         for (int volumes = 0; volumes <= most; ++volumes)
-            if (finishedCodes(a, one, profile, channel, volumes) !=
-                finishedCodes(b, one, profile, channel, volumes))
+            if (const std::vector<Lies> around(std::size_t(volumes), Lies{});
+                finishedCodes(a, one, profile, channel, around) !=
+                finishedCodes(b, one, profile, channel, around))
                 return volumes;
     }
     return std::nullopt;
+}
+
+bool facesCancel(const Axes& axes, const FrameShape& one, const Profile& profile, const MaskChannel& mask,
+                 const MostCrossed& most) {
+    for (const int c : channelsOf(axes)) {
+        const MaskChannel channel = withChannel(mask, c);
+        for (int around = 0; around <= most.around; ++around) {
+            const std::vector<Lies> alone(std::size_t(around), Lies{});
+            const std::vector<int> codes = finishedCodes(axes, one, profile, channel, alone);
+            const auto cancel = [&](const Lies& how, int crossed) {
+                // Drawn before and after the others.
+                for (const bool first : {true, false}) {
+                    std::vector<Lies> all = alone;
+                    all.insert(first ? all.begin() : all.end(), std::size_t(crossed), how);
+                    if (finishedCodes(axes, one, profile, channel, all) != codes) return false;
+                }
+                return true;
+            };
+            for (const Lies::Where where : {Lies::Before, Lies::Behind}) {
+                for (int crossed = 1; crossed <= most.crossed; ++crossed)
+                    if (!cancel({where}, crossed)) return false;
+                for (int times = 2; around + times <= most.levels; ++times)
+                    if (!cancel({where, times}, 1)) return false;
+            }
+        }
+    }
+    return true;
 }
 
 }  // namespace gnomon

@@ -25,4 +25,16 @@ std::optional<FinishedMask> finishedMask(const Axes& axes, const FrameShape& one
 std::optional<int> firstDifference(const Axes& a, const Axes& b, const FrameShape& one,
                                    const Profile& profile, const MaskChannel& channel, int most);
 
+/// How much one ray may cross.
+struct MostCrossed {
+    int around = 0;   ///< volumes around the point
+    int crossed = 0;  ///< volumes that it enters and leaves again
+    int levels = 0;   ///< volumes around the point, and entries into one that is folded
+};
+
+/// Whether volumes that a ray enters and leaves again leave the mask as it would be without them. Else the
+/// arithmetic leaves a residue.
+bool facesCancel(const Axes& axes, const FrameShape& one, const Profile& profile, const MaskChannel& channel,
+                 const MostCrossed& most);
+
 }  // namespace gnomon

@@ -16,6 +16,9 @@ namespace {
 /// What a draw call costs, in pixels of a window: volumes with much the same window are drawn in one call.
 constexpr double kDrawPixels = 16384;
 
+/// Volumes on one ray up to which entries and exits are held against none.
+constexpr int kMostCrossed = 6;
+
 /// Volumes around a point up to which two ways to count are compared value by value. Beyond, a count that its
 /// capacity holds goes on as it began.
 constexpr int kMostCompared = 12;
@@ -104,6 +107,12 @@ class Planner {
         return std::move(out);
     }
 
+    bool mayLoseCounts() const {
+        return hasVolumes(m_axes) &&
+               std::any_of(m_needs.lights.begin(), m_needs.lights.end(),
+                           [&](const LightNeeds& light) { return loss(light).has_value(); });
+    }
+
   private:
     void note(Effect effect, int light, bool isDrawn, std::string fact) {
         out.notes.push_back({effect, light, isDrawn, m_wanted.has(effect) && isDrawn, std::move(fact)});
@@ -147,10 +156,28 @@ class Planner {
         return light.nearDistances[volume] <= 0;
     }
 
-    /// Whether the full plan's count may lose entries or exits, and what is left out may matter for it.
-    bool isTooDeep(const LightNeeds& light) const {
-        return !light.losesNothing.value_or(!isTooDeep(m_axes, light.full));
+    /// How the full plan's mask may lose or keep what is to be left out.
+    std::optional<std::string> loss(const LightNeeds& light) const {
+        if (light.losesNothing) return std::nullopt;
+        if (isTooDeep(m_axes, light.full)) return "volumes may nest deeper than the method holds";
+        if (!cancels()) return "an entry and an exit may leave a residue in the mask";
+        return std::nullopt;
     }
+
+    bool cancels() const {
+        if (m_axes.store != Store::Screen && m_axes.store != Store::Alpha) return true;
+        if (!m_cancels) {
+            Nesting all;
+            for (const LightNeeds& light : m_needs.lights) all = deepest(all, light.full);
+            const bool inTurn = drawsOneByOne(m_axes);
+            m_cancels = facesCancel(m_axes, oneLight(0), m_profile, m_channel,
+                                    {.around = std::min(inTurn ? all.levels - 1 : all.overlap, kMostCrossed),
+                                     .crossed = std::min(all.fronts, kMostCrossed),
+                                     .levels = inTurn ? all.levels : 0});
+        }
+        return *m_cancels;
+    }
+
     bool isTooDeep(const Axes& axes, const Nesting& nesting) const {
         return nestingWarning(capacity(axes, m_profile, m_doubles), nesting).has_value();
     }
@@ -208,8 +235,8 @@ class Planner {
         for (const LightNeeds& light : m_needs.lights) {
             if (!light.isClosed) return "the volumes are not closed";
             if (light.eyeIsOnFace) return "the eye is on a face of a volume";
-            if (isTooDeep(light) || isTooDeep(simpler, light.fromEye))
-                return "volumes may nest deeper than the method holds";
+            if (const auto lost = loss(light)) return lost;
+            if (isTooDeep(simpler, light.fromEye)) return "volumes may nest deeper than z-pass holds";
         }
         const FrameShape one = oneLight(1);
         if (!missing(m_profile, planFrame(simpler, one, m_profile)).empty()) return "the chip can't z-pass";
@@ -238,7 +265,7 @@ class Planner {
         if (m_axes.offset != 0) return "volumes start behind their casters";
         if (!light.isClosed) return "the volumes are not closed";
         if (light.eyeIsOnFace) return "the eye is on a face of a volume";
-        if (isTooDeep(light)) return "volumes may nest deeper than the method holds";
+        if (const auto lost = loss(light)) return lost;
         bool touching = false;
         for (std::size_t v = 0; v < light.isDrawn.size(); ++v)
             touching = touching || (light.isDrawn[v] && touchesNear(light, v));
@@ -336,7 +363,7 @@ class Planner {
             const LightNeeds& light = m_needs.lights[i];
             bound =
                 std::max(bound, out.axes.count == Count::Zfail ? light.full.levels : light.fromEye.levels);
-            isKnown = isKnown && !isTooDeep(light);
+            isKnown = isKnown && !loss(light);
         }
         const std::string fact =
             fmt::format("at most {} of volumes nest", counted(std::size_t(bound), "level"));
@@ -397,12 +424,19 @@ class Planner {
     const FrameNeeds& m_needs;
     const MaskChannel& m_channel;
     const Effects& m_wanted;
+    mutable std::optional<bool> m_cancels{};
     bool m_doubles = true;  ///< a count is doubled to 0 or 1, and not told apart by an alpha test
     FrameShape m_shape{};
     MinimalPlan out{};
 };
 
 }  // namespace
+
+bool mayLoseCounts(const Axes& given, const FrameShape& frame, const Profile& profile,
+                   const FrameNeeds& needs, const MaskChannel& channel) {
+    const Axes axes = normalised(given);
+    return Planner(axes, frame, profile, needs, channel, Effects::none()).mayLoseCounts();
+}
 
 MinimalPlan minimalPlan(const Axes& given, const FrameShape& frame, const Profile& profile,
                         const FrameNeeds& needs, const MaskChannel& channel, const Effects& wanted) {

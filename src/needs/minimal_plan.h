@@ -23,9 +23,9 @@ struct LightNeeds {
     bool eyeIsOnFace = false;             ///< of a volume
     bool seesBackground = true;           ///< some pixel does
     bool seesBackgroundInWindows = true;  ///< some pixel in a volume's window does
-    /// Set where the bounds below don't tell: what is left out changes no mask, though counts may come to
-    /// their limits.
-    std::optional<bool> losesNothing{};
+    /// What is left out changes no mask, though counts may come to their limits or leave a residue: known in
+    /// another way. Else the bounds below and the chip's arithmetic tell.
+    bool losesNothing = false;
     Nesting full{};     ///< of all volumes, from the end from which the full plan counts
     Nesting fromEye{};  ///< of those with a window
 };
@@ -56,6 +56,11 @@ struct MinimalPlan {
     std::vector<std::vector<std::uint32_t>> volumes{};
     std::vector<EffectNote> notes{};
 };
+
+/// Whether the full plan's masks may lose entries or exits, or keep a residue of them, so that leaving out
+/// volumes could be seen: then LightNeeds::losesNothing decides.
+bool mayLoseCounts(const Axes& axes, const FrameShape& frame, const Profile& profile, const FrameNeeds& needs,
+                   const MaskChannel& channel);
 
 /// The plan for @p axes with what the frame calls for and @p wanted: its mask and image are those of
 /// planFrame() to the bit.

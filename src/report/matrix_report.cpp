@@ -392,9 +392,9 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                                 "tied_count",     "wrong_edge",     "wrong_interior",
                                 "unpredicted",    "nesting_fronts", "nesting_overlap",
                                 "nesting_levels", "warnings",       "effects",
-                                "drawn_by",       "touched_pixels", "vertices",
-                                "cpu_ms",         "unshadowed_ms",  "digest",
-                                "error"});
+                                "drawn_by",       "proof",          "touched_pixels",
+                                "vertices",       "cpu_ms",         "unshadowed_ms",
+                                "digest",         "error"});
     for (const Cell& c : cells) {
         std::vector<std::string> missing, causes;
         for (const Missing& m : c.missing) missing.push_back(m.what);

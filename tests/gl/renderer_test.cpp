@@ -183,7 +183,7 @@ TEST_P(EachShade, LooksAlikeWhicheverBufferHoldsTheMask) {
 // The top left pixel sees no surface. 2 of 255 as above.
 TEST_P(EachShade, ShowsTheSameBackgroundWithEveryMethod) {
     Studio studio("ideal", twoBoxes(), 64, 48);
-    const Pixel expected{128, 153, 178};
+    const Pixel expected{128, 153, 179};
     EXPECT_EQ(pixelAt(studio.draw("none").image, 0, 0), expected);
     for (Axes axes : allMethods()) {
         axes.shade = GetParam();
@@ -206,7 +206,7 @@ TEST(FarCap, KeepsTheBackgroundLit) {
         int sky = 0, shadowed = 0;
         for (int y = 0; y < 48; ++y)
             for (int x = 0; x < 64; ++x) {
-                const bool isSky = pixelAt(unshadowed, x, y) == Pixel{128, 153, 178};
+                const bool isSky = pixelAt(unshadowed, x, y) == Pixel{128, 153, 179};
                 sky += isSky;
                 shadowed += isSky && drawn.masks.front()[std::size_t(y) * 64 + x];
             }

@@ -50,11 +50,11 @@ std::vector<std::string> keysOf(const Json& object) {
 // must hold.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
-        "cell",     "profile",    "method",        "scene",   "store",       "arithmetic", "levels",
-        "count",    "silhouette", "mask_scale",    "apply",   "shade",       "width",      "height",
-        "frame",    "lights",     "fidelity",      "verdict", "chosen",      "missing",    "causes",
-        "passes",   "pixels",     "tied",          "wrong",   "unpredicted", "nesting",    "warnings",
-        "vertices", "cpu_ms",     "unshadowed_ms", "digest"};
+        "cell",    "profile",    "method",     "scene",   "store",         "arithmetic", "levels",
+        "count",   "silhouette", "mask_scale", "apply",   "shade",         "width",      "height",
+        "frame",   "lights",     "fidelity",   "effects", "verdict",       "chosen",     "missing",
+        "causes",  "passes",     "touched",    "pixels",  "tied",          "wrong",      "unpredicted",
+        "nesting", "warnings",   "vertices",   "cpu_ms",  "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));
@@ -134,6 +134,7 @@ TEST(CellJson, ComesBackForEveryNamedMethodAndShade) {
             Cell cell = fullCell();
             cell.axes = method.axes;
             cell.axes.shade = shade;
+            cell.method = methodId(cell.axes);
             EXPECT_EQ(cellFromJson(toJson(cell)).axes, cell.axes) << method.id;
         }
     }

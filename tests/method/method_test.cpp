@@ -49,7 +49,7 @@ TEST(NamedMethods, AreThoseOfTheDesign) {
         ids, ElementsAre("none", "heidmann", "carmack", "parity", "roettger-alpha", "roettger-alpha-max",
                          "roettger-screen", "roettger-screen-max", "screen-texture", "roettger-half",
                          "roettger-quarter", "alpha-zfail", "screen-zfail", "hornus", "eisemann", "atomiczp",
-                         "counter", "williams", "screen-count", "alpha-count", "screen-parity"));
+                         "counter", "williams", "screen-count", "alpha-count", "screen-parity", "auto"));
 }
 
 TEST(NamedMethods, DontContradictThemselves) {
