@@ -89,6 +89,11 @@ struct FramePredictor::Impl {
         return at->second;
     }
 
+    static MaskChannel arithmeticOf(const PlannedMask& mask) {
+        MaskChannel channel = maskChannel(mask.format, mask.chip, mask.axes);
+        if (mask.axes.store == Store::Screen) channel.channel = mask.colour;
+        return channel;
+    }
     static MaskChannel arithmeticOf(const RenderedMask& mask) {
         return maskChannel(mask.format, mask.chip, mask.axes);
     }
@@ -116,7 +121,7 @@ struct FramePredictor::Impl {
               inputs{.plan = of.plan,
                      .light = of.light,
                      .crossings = *crossings,
-                     .arithmetic = maskChannel(of.format, of.chip, of.axes),
+                     .arithmetic = arithmeticOf(of),
                      .planVolumes = planVolumes,
                      .holdingEye = impl.eyeOf(key).held,
                      .eyeOnFace = impl.eyeOf(key).onFace},

@@ -49,6 +49,7 @@ struct PlannedMask {
     int light = 0;
     std::span<const std::uint32_t> ordinals{};  ///< as of RenderedMask
     bool leavesOut = false;                     ///< likewise
+    int colour = 0;  ///< of a mask in the colour buffer: which of its channels, 0 to 2
 };
 
 /// Holds rendered masks against their prediction, and says why wrong pixels are wrong. Keeps what the masks

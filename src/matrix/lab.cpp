@@ -306,9 +306,10 @@ struct Lab::Impl {
                 .notes = std::move(least.notes)};
     }
 
-    /// Calls @p use with what is predicted of the masks of light @p index, as @p drawing makes them.
+    /// Calls @p use with what is predicted of a channel of the mask of light @p index, as @p drawing makes
+    /// it.
     template <class Use>
-    auto withPlanned(const Profile& profile, const Drawing& drawing, int index, const Use& use) {
+    auto withPlanned(const Profile& profile, const Drawing& drawing, int index, int colour, const Use& use) {
         const BufferFormat format = bufferFormatOf(profile);
         const ChipArithmetic chip = arithmeticOf(profile, fidelity);
         const auto drawn = drawing.axes.count == Count::AtomicZp ? std::make_shared<const FrameVolumes>()
@@ -319,13 +320,14 @@ struct Lab::Impl {
                                .chip = chip,
                                .light = index,
                                .ordinals = drawn->ordinals,
-                               .leavesOut = !drawing.isFull});
+                               .leavesOut = !drawing.isFull,
+                               .colour = colour});
     }
 
     int wrongPixels(const Profile& profile, const Drawing& drawing) {
         int wrong = 0;
         for (const MaskTap& tap : drawing.plan.masks)
-            wrong += withPlanned(profile, drawing, tap.light, [&](const PlannedMask& mask) {
+            wrong += withPlanned(profile, drawing, tap.light, 0, [&](const PlannedMask& mask) {
                 const auto truth =
                     truthOf(tap.light, mask.format.depth, mask.chip.depth, drawing.axes.silhouette);
                 return predictorOf().wrongPixels(mask, *truth);
@@ -335,13 +337,18 @@ struct Lab::Impl {
 
     /// Whether exact arithmetic has the same masks by both.
     bool areSame(const Profile& profile, const Drawing& a, const Drawing& b) {
-        return std::all_of(b.plan.masks.begin(), b.plan.masks.end(), [&](const MaskTap& tap) {
-            return withPlanned(profile, a, tap.light, [&](const PlannedMask& first) {
-                return withPlanned(profile, b, tap.light, [&](const PlannedMask& second) {
+        const auto areSameIn = [&](int light, int colour) {
+            return withPlanned(profile, a, light, colour, [&](const PlannedMask& first) {
+                return withPlanned(profile, b, light, colour, [&](const PlannedMask& second) {
                     return predictorOf().areSame(first, second);
                 });
             });
-        });
+        };
+        const int channels = a.axes.store == Store::Screen ? 3 : 1;
+        for (const MaskTap& tap : b.plan.masks)
+            for (int colour = 0; colour < channels; ++colour)
+                if (!areSameIn(tap.light, colour)) return false;
+        return true;
     }
 
     std::vector<DrawnAmount> amounts(const Profile& profile, const Drawing& drawing) {
