@@ -398,11 +398,14 @@ void EffectsOption::addTo(CLI::App& app) {
 
 std::optional<Effects> EffectsOption::value() const {
     if (words.empty()) return std::nullopt;
-    for (const std::string& word : words)
-        if (words.size() > 1 ? !effectNamed(word) : !effectsFrom(word))
-            throw UsageError(
-                fmt::format("--effects: {} '{}'; it is full, needed, or a list of effects",
-                            word == "full" || word == "needed" ? "more words than" : "no such effect", word));
+    for (const std::string& word : words) {
+        const bool isWhole = word == "full" || word == "needed";
+        if (isWhole && words.size() > 1)
+            throw UsageError(fmt::format("--effects: '{}' stands by itself, not in a list", word));
+        if (!isWhole && !effectNamed(word))
+            throw UsageError(fmt::format(
+                "--effects: no such effect '{}'; it is full, needed, or a list of effects", word));
+    }
     return effectsFrom(fmt::format("{}", fmt::join(words, ",")));
 }
 

@@ -369,10 +369,11 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format) 
     std::vector<std::vector<std::string>> rows{
         {"method", "store", "arithmetic", "count", "mask_scale", "apply", "source", "summary"}};
     for (const NamedMethod& m : methods) {
-        const bool none = m.axes.store == Store::None || m.axes.store == Store::DepthMap;
-        rows.push_back({m.id, name(m.axes.store), none ? "-" : name(m.axes.arithmetic),
-                        none ? "-" : name(m.axes.count), none ? "-" : maskScaleName(m.axes.maskDivisor),
-                        none ? "-" : name(m.axes.apply), m.source, m.summary});
+        const bool none = m.axes.store == Store::None || m.axes.store == Store::DepthMap || m.axes.automatic;
+        rows.push_back({m.id, m.axes.automatic ? "-" : name(m.axes.store),
+                        none ? "-" : name(m.axes.arithmetic), none ? "-" : name(m.axes.count),
+                        none ? "-" : maskScaleName(m.axes.maskDivisor), none ? "-" : name(m.axes.apply),
+                        m.source, m.summary});
     }
     return listing(rows, format);
 }
