@@ -135,7 +135,7 @@ const std::vector<NamedMethod>& namedMethods() {
         row("screen-parity", blended(Screen, Parity), "DOLPHIN PR 10841, 10864: F-Zero GX",
             "faces in front of the surface invert the colour buffer"),
         row("auto", {.automatic = true}, "gnomon: of these, Heidmann 1991 to Usta et al. 2019",
-            "for each frame and chip the cheapest of these that is proved exact there"),
+            "for each frame and chip the cheapest of these, at the levels it takes, that is proved exact"),
     };
     return methods;
 }
