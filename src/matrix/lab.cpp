@@ -175,7 +175,8 @@ struct Lab::Impl {
     /// What light @p index adds to a frame.
     const LightFrame& lightFrame(const Profile& profile, const Drawing& drawing, int index) {
         if (lights() == 0) return current = {};
-        const auto& [axes, plan, isFull, kept, notes] = drawing;
+        const Axes& axes = drawing.axes;
+        const Plan& plan = drawing.plan;
         const auto draws = [&](auto predicate) {
             return std::any_of(plan.passes.begin(), plan.passes.end(), predicate);
         };
