@@ -317,7 +317,9 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
     if (bases.empty())
         for (const Store store : storeList) bases.push_back(defaultsOf(store));
     if (bases.empty())
-        for (const NamedMethod& m : namedMethods()) bases.push_back(m.axes);
+        // An automatic method tries all others in each frame and on each chip: it runs where it is named.
+        for (const NamedMethod& m : namedMethods())
+            if (!m.axes.automatic) bases.push_back(m.axes);
     for (const int level : levels)
         if (level < 1 || level > 8) throw UsageError(fmt::format("--levels: {} is not within 1 to 8", level));
     for (const int size : mapSizes)
