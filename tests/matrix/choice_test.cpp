@@ -14,12 +14,8 @@ class ChosenMethods : public testing::TestWithParam<std::string> {};
 TEST_P(ChosenMethods, AreExactWhereverAnyMethodIs) {
     Lab lab(shippedScene(GetParam()));
     const int frames = int(lab.scene().frames.size());
-    std::vector<Profile> chips = chipsOfEachKind();
-    // Hundreds of volumes in one another take long with each method.
-    const bool isLayered = std::string(GetParam()).find("hard/layers-") == 0;
-    if (isLayered && !wantsAllChips()) chips.resize(1);
     for (int frame = 0; frame < frames; frame += wantsAllChips() ? 1 : std::max(1, frames / 2)) {
-        for (const Profile& profile : chips) {
+        for (const Profile& profile : chipsOfEachKind(GetParam())) {
             bool anyIsExact = false, anyRuns = false;
             int fewest = 64 * 48;
             for (const NamedMethod& named : namedMethods()) {

@@ -46,7 +46,7 @@ TEST_P(MinimalPlans, ShowWhatFullPlansShow) {
     const int step = wantsAllChips() ? 1 : std::max(1, frames / 3);
     std::int64_t touchedByFull = 0, touchedByLeast = 0;
     for (int frame = 0; frame < frames; frame += step) {
-        for (const Profile& profile : chipsOfEachKind()) {
+        for (const Profile& profile : chipsOfEachKind(GetParam())) {
             for (const NamedMethod& named : namedMethods()) {
                 if (named.axes.automatic) continue;
                 lab.simulate(Effects::all());
