@@ -169,9 +169,7 @@ class PassRunner {
         if (pass.program == Program::ShadeCount) m_programs.useShadeCount(float(m_plan.shadowShare));
         gl.EnableClientState(GL_COLOR_ARRAY);
         // What lies at infinity takes part wherever the scene meets a mask that stands in the colour buffer.
-        const bool overMask = pass.program == Program::ShadeCount ||
-                              (pass.blend.enabled && pass.blend.source == BlendFactor::DstColor);
-        if (overMask) backdrop(pass.blackBackdrop ? glm::vec3(0) : m_surfaces.background);
+        if (drawsBackdrop(pass)) backdrop(pass.blackBackdrop ? glm::vec3(0) : m_surfaces.background);
         const std::vector<VertexColour> mixed = mixedColours(pass);
         const std::vector<VertexColour>& colours =
             pass.shading == Shading::Lit       ? m_lights(pass.light).colours->lit
