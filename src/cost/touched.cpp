@@ -191,11 +191,14 @@ std::vector<DrawnAmount> drawnAmounts(const Plan& plan, const FrameSurfaces& sur
     return amounts;
 }
 
+DrawnAmount sumOf(const std::vector<DrawnAmount>& passes) {
+    DrawnAmount sum;
+    for (const DrawnAmount& one : passes) sum.pixels += one.pixels, sum.vertices += one.vertices;
+    return sum;
+}
+
 DrawnAmount drawnAmount(const Plan& plan, const FrameSurfaces& surfaces, const LightFrames& lights) {
-    DrawnAmount all;
-    for (const DrawnAmount& one : drawnAmounts(plan, surfaces, lights))
-        all.pixels += one.pixels, all.vertices += one.vertices;
-    return all;
+    return sumOf(drawnAmounts(plan, surfaces, lights));
 }
 
 TouchedPixels touchedPixels(const Plan& plan, const FrameSurfaces& surfaces, const LightFrames& lights) {

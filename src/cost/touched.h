@@ -26,6 +26,9 @@ struct DrawnAmount {
     bool operator==(const DrawnAmount&) const = default;
 };
 
+/// The amount of all passes.
+DrawnAmount sumOf(const std::vector<DrawnAmount>& passes);
+
 /// What each pass of @p plan draws, in their order.
 ///
 /// A clear touches its pixels once, however many buffers it clears. A scene that meets a mask in the colour

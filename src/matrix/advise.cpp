@@ -1,22 +1,8 @@
-#include <numeric>
-
 #include "matrix/advice.h"
 #include "matrix/choice.h"
 #include "plan/chip_terms.h"
 
 namespace gnomon {
-namespace {
-
-DrawnAmount sumOf(const std::vector<DrawnAmount>& passes) {
-    return std::accumulate(passes.begin(), passes.end(), DrawnAmount{},
-                           [](DrawnAmount sum, const DrawnAmount& pass) {
-                               sum.pixels += pass.pixels;
-                               sum.vertices += pass.vertices;
-                               return sum;
-                           });
-}
-
-}  // namespace
 
 Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame) {
     Advice advice{

@@ -53,10 +53,7 @@ std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int w
         option.missing = lacks(option.axes);
         if (option.missing.empty()) {
             option.plan = lab.minimalPlan(profile, option.axes, width, height, frame);
-            for (const DrawnAmount& pass : lab.amounts(profile, option.plan, width, height, frame)) {
-                option.amount.pixels += pass.pixels;
-                option.amount.vertices += pass.vertices;
-            }
+            option.amount = sumOf(lab.amounts(profile, option.plan, width, height, frame));
         }
         found.push_back(std::move(option));
     }

@@ -409,9 +409,7 @@ struct Lab::Impl {
     }
 
     std::int64_t touched(const Profile& profile, const MinimalPlan& plan) {
-        TouchedPixels all;
-        for (const DrawnAmount& pass : amounts(profile, drawingOf(plan))) all += pass.pixels;
-        return all.total();
+        return sumOf(amounts(profile, drawingOf(plan))).pixels.total();
     }
 
     bool emulatesEverywhere() const {
@@ -517,7 +515,7 @@ struct Lab::Impl {
         rendered.values.resize(std::size_t(lights()),
                                isMasked ? std::vector<std::uint16_t>{} : rendered.values.front());
 
-        for (const DrawnAmount& pass : amounts(profile, drawing)) cell.touched += pass.pixels;
+        cell.touched = sumOf(amounts(profile, drawing)).pixels;
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");

@@ -144,12 +144,6 @@ std::string ratioText(std::int64_t part, std::int64_t whole) {
     return whole == 0 ? "-" : fmt::format("{:.2f}", double(part) / double(whole));
 }
 
-DrawnAmount sumOf(const std::vector<DrawnAmount>& amounts) {
-    DrawnAmount sum;
-    for (const DrawnAmount& one : amounts) sum.pixels += one.pixels, sum.vertices += one.vertices;
-    return sum;
-}
-
 std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<EffectNote>& effects) {
     const Pass& pass = plan.passes[index];
     switch (pass.kind) {

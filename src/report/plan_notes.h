@@ -33,9 +33,6 @@ std::string rectText(const WindowRect& rect);
 /// "0.43"; "-" where there is nothing to compare with.
 std::string ratioText(std::int64_t part, std::int64_t whole);
 
-/// The amount of all passes.
-DrawnAmount sumOf(const std::vector<DrawnAmount>& amounts);
-
 /// For people: the effects that a plan leaves out, has since the frame calls for them, and has since they
 /// were asked for; each with its fact, under heads.
 std::string effectsText(const std::vector<EffectNote>& effects);

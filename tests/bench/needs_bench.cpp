@@ -34,18 +34,14 @@ struct Ratios {
     std::vector<double> time{}, touched{};
 };
 
-std::int64_t totalOf(const std::vector<DrawnAmount>& passes) {
-    return std::accumulate(passes.begin(), passes.end(), std::int64_t{0},
-                           [](std::int64_t sum, const DrawnAmount& d) { return sum + d.pixels.total(); });
-}
-
 void addFrame(Lab& lab, const Profile& profile, const Axes& axes, int frame, Ratios& ratios) {
     const std::vector<Effects> ways{Effects::all(), Effects::none()};
     const auto ms = lab.frameMs(profile, axes, ways, kWidth, kHeight, frame, kRepeats);
     ratios.time.push_back(median(ms[1]) / median(ms[0]));
     const MinimalPlan least = lab.minimalPlan(profile, axes, kWidth, kHeight, frame);
-    ratios.touched.push_back(double(totalOf(lab.amounts(profile, least, kWidth, kHeight, frame))) /
-                             double(totalOf(lab.fullAmounts(profile, axes, kWidth, kHeight, frame))));
+    ratios.touched.push_back(
+        double(sumOf(lab.amounts(profile, least, kWidth, kHeight, frame)).pixels.total()) /
+        double(sumOf(lab.fullAmounts(profile, axes, kWidth, kHeight, frame)).pixels.total()));
 }
 
 std::string spread(const std::vector<double>& ratios) {
