@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
-#include <ctime>
 #include <map>
 #include <optional>
 #include <stdexcept>
 
 #include "gl/capability.h"
 #include "gl/programs.h"
+#include "gl/stopwatch.h"
 #include "gl/words.h"
 
 namespace gnomon {
@@ -439,6 +439,27 @@ void resetState(const GlTable& gl) {
     gl.EnableClientState(GL_VERTEX_ARRAY);
 }
 
+/// Counts the fragments that pass all tests.
+class SampleCounter {
+  public:
+    explicit SampleCounter(const GlTable& table) : gl(table) { gl.GenQueries(1, &m_query); }
+    ~SampleCounter() { gl.DeleteQueries(1, &m_query); }
+    SampleCounter(const SampleCounter&) = delete;
+    SampleCounter& operator=(const SampleCounter&) = delete;
+
+    void begin() { gl.BeginQuery(GL_SAMPLES_PASSED, m_query); }
+    std::int64_t end() {
+        gl.EndQuery(GL_SAMPLES_PASSED);
+        GLuint64 samples = 0;
+        gl.GetQueryObjectui64v(m_query, GL_QUERY_RESULT, &samples);
+        return std::int64_t(samples);
+    }
+
+  private:
+    const GlTable& gl;
+    GLuint m_query = 0;
+};
+
 using MaskValues = std::vector<std::uint16_t>;
 
 MaskValues channelOf(const Image& image, int channel) {
@@ -515,12 +536,6 @@ MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, Pass
 
 }  // namespace
 
-double threadCpuMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return double(now.tv_sec) * 1e3 + double(now.tv_nsec) * 1e-6;
-}
-
 Image readColour(Surface& surface, bool alpha) {
     return readPixels(surface, alpha ? GL_RGBA : GL_RGB, alpha ? 4 : 3);
 }
@@ -530,7 +545,7 @@ Image readStencil(Surface& surface) {
 }
 
 Rendered render(Surface& surface, const Profile& profile, const Plan& plan, const FrameSurfaces& surfaces,
-                const LightFrames& lights, const AfterPass& afterPass) {
+                const LightFrames& lights, const RenderOptions& options) {
     surface.makeCurrent();
     const GlTable& driver = surface.driver();
     resetState(driver);
@@ -546,19 +561,27 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     out.masks.resize(lightCount);
     out.values.resize(out.masks.size());
     auto tap = plan.masks.begin();
+    Stopwatch watch(surface);
+    std::optional<SampleCounter> samples;
+    if (options.countsSamples) samples.emplace(driver);
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         // What the light adds is made before the clock starts.
         const Pass& pass = plan.passes[i];
         if (pass.kind == PassKind::Scene || pass.kind == PassKind::Volume) lights(pass.light);
-        const double start = threadCpuMs();
-        runner.run(pass);
         const bool taps = tap != plan.masks.end() && tap->after == i + 1;
-        if (i + 1 == plan.passes.size() || taps || afterPass) gl.Finish();
-        out.cpuMs += threadCpuMs() - start;
+        const bool waits = i + 1 == plan.passes.size() || taps || options.afterPass || options.timesPasses;
+        if (samples) samples->begin();
+        watch.start();
+        runner.run(pass);
+        if (waits) gl.Finish();
+        const double ms = watch.stop();
+        out.cpuMs += ms;
+        if (options.timesPasses) out.passMs.push_back(ms);
+        if (samples) out.passSamples.push_back(samples->end());
         if (const GLenum error = driver.GetError(); error != GL_NO_ERROR)
             throw std::runtime_error(
                 fmt::format("OpenGL error 0x{:04x} in pass {}: {}", error, i + 1, plan.passes[i].label));
-        if (afterPass) afterPass(i);
+        if (options.afterPass) options.afterPass(i);
         if (taps) {
             MaskValues values = readMask(surface, plan, *tap, runner);
             std::vector<bool>& shadow = out.masks[std::size_t(tap->light)];

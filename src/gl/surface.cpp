@@ -107,6 +107,11 @@ GlTable loadDriver() {
     load(gl.GetBufferSubData, "glGetBufferSubData");
     load(gl.MemoryBarrier, "glMemoryBarrier");
     load(gl.DrawElements, "glDrawElements");
+    load(gl.GenQueries, "glGenQueries");
+    load(gl.DeleteQueries, "glDeleteQueries");
+    load(gl.BeginQuery, "glBeginQuery");
+    load(gl.EndQuery, "glEndQuery");
+    load(gl.GetQueryObjectui64v, "glGetQueryObjectui64v");
     load(gl.Finish, "glFinish");
     load(gl.GetError, "glGetError");
     return gl;

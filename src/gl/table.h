@@ -111,6 +111,13 @@ struct GlTable {
     Call<GLbitfield> MemoryBarrier{};
     Call<GLenum, GLsizei, GLenum, const void*> DrawElements{};
 
+    // Queries
+    Call<GLsizei, GLuint*> GenQueries{};
+    Call<GLsizei, const GLuint*> DeleteQueries{};
+    Call<GLenum, GLuint> BeginQuery{};
+    Call<GLenum> EndQuery{};
+    Call<GLuint, GLenum, GLuint64*> GetQueryObjectui64v{};
+
     Call<> Finish{};
     std::function<GLenum()> GetError{};
 };

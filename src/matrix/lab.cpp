@@ -7,6 +7,7 @@
 
 #include "gl/blend_program.h"
 #include "gl/capability.h"
+#include "gl/stopwatch.h"
 #include "matrix/choice.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
@@ -491,14 +492,51 @@ struct Lab::Impl {
             cell.warnings.push_back(*warning);
     }
 
-    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const AfterPass& each = {}) {
+    /// Milliseconds that the host needs to build what @p drawing draws besides the surfaces.
+    double buildMs(const Profile& profile, const Drawing& drawing) {
+        const Axes& axes = drawing.axes;
+        if (axes.store == Store::None) return 0;
+        const double start = threadCpuMs();
+        for (int i = 0; i < lights(); ++i) {
+            if (axes.store == Store::DepthMap) {
+                depthMapFrame(scene, light(i), surfacesOf());
+                continue;
+            }
+            if (axes.count == Count::AtomicZp) {
+                silhouetteMesh(scene, light(i).position, view());
+                continue;
+            }
+            if (!finder) finder.emplace(scene);
+            const auto casters = finder->lit(light(i).position, axes.silhouette, axes.capFaces);
+            const VolumeKey k = volumeKey(profile, axes, i);
+            frameVolumes(scene, casters, light(i).position, view(), k.parts, k.style);
+            if (axes.count == Count::PlusPlusZp) eyeBlockers(scene, casters, light(i).position, view().eye);
+        }
+        return threadCpuMs() - start;
+    }
+
+    FrameTime timed(const Profile& profile, const Drawing& drawing, bool byPass) {
+        FrameTime time{.buildMs = buildMs(profile, drawing)};
+        const Rendered rendered = drawOnce(profile, drawing, {.timesPasses = byPass});
+        time.drawMs = rendered.cpuMs;
+        if (!byPass) return time;
+        const auto& passes = drawing.plan.passes;
+        const auto isVolume = [](const Pass& pass) { return pass.kind == PassKind::Volume; };
+        const auto first = std::find_if(passes.begin(), passes.end(), isVolume);
+        const auto last = std::find_if(passes.rbegin(), passes.rend(), isVolume).base();
+        for (auto pass = first; pass < last; ++pass)
+            time.maskMs += rendered.passMs[std::size_t(pass - passes.begin())];
+        return time;
+    }
+
+    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const RenderOptions& options = {}) {
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
             if (index != last) lightFrame(profile, drawing, index);
             last = index;
             return current;
         };
         return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(), frames,
-                      each);
+                      options);
     }
 
     void draw(Cell& cell, const Profile& profile, const Drawing& drawing, Pictures* pictures,
@@ -508,7 +546,7 @@ struct Lab::Impl {
         Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
-        Rendered rendered = drawOnce(profile, drawing, each);
+        Rendered rendered = drawOnce(profile, drawing, {.afterPass = each});
         // Without masks nothing is in shadow; a light that was left out has none.
         const bool isMasked = !plan.masks.empty();
         rendered.masks.resize(std::size_t(lights()), isMasked ? std::vector<bool>{} : rendered.masks.front());
@@ -640,23 +678,26 @@ int Lab::wrongPixels(const Profile& profile, const MinimalPlan& minimal, int wid
     return m_impl->wrongPixels(profile, Impl::drawingOf(minimal));
 }
 
-std::vector<std::vector<double>> Lab::frameMs(const Profile& profile, const Axes& axes,
-                                              std::span<const Effects> ways, int width, int height, int frame,
-                                              int repeats) {
-    m_impl->select({width, height, frame});
-    const auto before = m_impl->effects;
+std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> ways, int width, int height,
+                                                    int frame, int repeats, bool byPass) {
+    Impl& m = *m_impl;
+    m.select({width, height, frame});
+    const auto effects = m.effects;
+    const auto fidelity = m.fidelity;
+    const auto as = [&](const TimedWay& way) { m.effects = way.effects, m.fidelity = way.fidelity; };
     std::vector<Drawing> drawings;
-    for (const Effects& effects : ways) {
-        m_impl->effects = effects;
-        drawings.push_back(m_impl->drawingOf(profile, normalised(axes)));
+    for (const TimedWay& way : ways) {
+        as(way);
+        drawings.push_back(m.drawingOf(way.profile, normalised(way.axes)));
     }
-    m_impl->effects = before;
-    std::vector<std::vector<double>> times(ways.size());
+    std::vector<std::vector<FrameTime>> times(ways.size());
     for (int round = 0; round <= repeats; ++round)
-        for (std::size_t way = 0; way < ways.size(); ++way) {
-            const double ms = m_impl->drawOnce(profile, drawings[way]).cpuMs;
-            if (round > 0) times[way].push_back(ms);
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            as(ways[i]);
+            const FrameTime time = m.timed(ways[i].profile, drawings[i], byPass);
+            if (round > 0) times[i].push_back(time);
         }
+    m.effects = effects, m.fidelity = fidelity;
     return times;
 }
 

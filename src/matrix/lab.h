@@ -12,6 +12,7 @@
 #include "gl/renderer.h"
 #include "matrix/cell.h"
 #include "matrix/frame_predictor.h"
+#include "matrix/frame_time.h"
 #include "matrix/judge.h"
 #include "needs/minimal_plan.h"
 #include "predict/causes.h"
@@ -59,12 +60,11 @@ class Lab {
              Pictures* pictures = nullptr,
              const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
 
-    /// Thread CPU time of a frame's OpenGL calls, milliseconds, drawn in several ways in turn: by @p ways, of
-    /// each @p repeats times after one that is not counted. Nothing is judged.
-    /// @pre the chip lacks nothing
-    std::vector<std::vector<double>> frameMs(const Profile& profile, const Axes& axes,
-                                             std::span<const Effects> ways, int width, int height, int frame,
-                                             int repeats);
+    /// What a frame takes, drawn in several ways in turn: by @p ways, of each @p repeats times after one that
+    /// is not counted. Nothing is judged, and nothing that was built before is used, but the scene's edges.
+    /// @param byPass  waits after each pass, for FrameTime::maskMs
+    std::vector<std::vector<FrameTime>> frameTimes(std::span<const TimedWay> ways, int width, int height,
+                                                   int frame, int repeats, bool byPass = false);
 
     /// The full plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);

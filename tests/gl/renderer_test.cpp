@@ -97,7 +97,7 @@ std::vector<Pixel> ladder(const std::string& chipId, std::vector<Pass> passes) {
     const Plan plan{.passes = std::move(passes), .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
     std::vector<Pixel> values;
     render(surface, profile, plan, {}, {},
-           [&](std::size_t) { values.push_back(pixelAt(readColour(surface), 1, 2)); });
+           {.afterPass = [&](std::size_t) { values.push_back(pixelAt(readColour(surface), 1, 2)); }});
     return values;
 }
 

@@ -326,31 +326,31 @@ void expectListed(Rig& rig, const Plan& plan, const FrameSurfaces& surfaces, con
     Plan untapped = plan;
     untapped.masks.clear();
     recorder.takePass();
-    render(rig.surface, rig.profile, untapped, surfaces, lights, [&](std::size_t i) {
-        const Pass& pass = plan.passes[i];
-        const std::string where = fmt::format("{}, pass {}: {}", what, i + 1, pass.label);
-        const Done listed = reader.read(glCalls(pass, plan)), drawn = recorder.takePass();
-        const bool toMap = pass.target == Target::DepthMap;
-        std::vector<std::string> names;
-        for (const auto& [name, arguments] : listed.state) {
-            names.push_back(name);
-            if (name == "BlendEquation" && pass.blend.equation > BlendEquation::Max) continue;
-            ASSERT_TRUE(drawn.state.count(name)) << where << ": " << name;
-            expectSame(arguments, drawn.state.at(name), fmt::format("{}: {}", where, name));
-        }
-        EXPECT_EQ(names.size(), drawn.state.size()) << where;
-        if (pass.kind == PassKind::Volume || (pass.kind == PassKind::Rectangle && !toMap))
-            expectSame(listed.colour, drawn.colour, fmt::format("{}: colour", where));
-        std::vector<Call> events = drawn.events;
-        // The renderer makes a texture to draw a depth map into.
-        if (toMap) std::erase_if(events, [](const Call& c) { return c.name.starts_with("Tex"); });
-        ASSERT_EQ(listed.events.size(), events.size()) << where;
-        for (std::size_t k = 0; k < events.size(); ++k) {
-            EXPECT_EQ(listed.events[k].name, events[k].name) << where;
-            expectSame(listed.events[k].arguments, events[k].arguments,
-                       fmt::format("{}: {}", where, events[k].name));
-        }
-    });
+    render(rig.surface, rig.profile, untapped, surfaces, lights, {.afterPass = [&](std::size_t i) {
+               const Pass& pass = plan.passes[i];
+               const std::string where = fmt::format("{}, pass {}: {}", what, i + 1, pass.label);
+               const Done listed = reader.read(glCalls(pass, plan)), drawn = recorder.takePass();
+               const bool toMap = pass.target == Target::DepthMap;
+               std::vector<std::string> names;
+               for (const auto& [name, arguments] : listed.state) {
+                   names.push_back(name);
+                   if (name == "BlendEquation" && pass.blend.equation > BlendEquation::Max) continue;
+                   ASSERT_TRUE(drawn.state.count(name)) << where << ": " << name;
+                   expectSame(arguments, drawn.state.at(name), fmt::format("{}: {}", where, name));
+               }
+               EXPECT_EQ(names.size(), drawn.state.size()) << where;
+               if (pass.kind == PassKind::Volume || (pass.kind == PassKind::Rectangle && !toMap))
+                   expectSame(listed.colour, drawn.colour, fmt::format("{}: colour", where));
+               std::vector<Call> events = drawn.events;
+               // The renderer makes a texture to draw a depth map into.
+               if (toMap) std::erase_if(events, [](const Call& c) { return c.name.starts_with("Tex"); });
+               ASSERT_EQ(listed.events.size(), events.size()) << where;
+               for (std::size_t k = 0; k < events.size(); ++k) {
+                   EXPECT_EQ(listed.events[k].name, events[k].name) << where;
+                   expectSame(listed.events[k].arguments, events[k].arguments,
+                              fmt::format("{}: {}", where, events[k].name));
+               }
+           }});
 }
 
 TEST(GlCalls, SetTheStateThatTheRendererDrawsEachMethodsPassesUnder) {
