@@ -160,7 +160,7 @@ TEST_P(EachMask, IsWhatTheIntegerFunctionsSayInEveryPixel) {
         }
         EXPECT_EQ(wrong, 0) << index << ": " << pass.label;
     };
-    render(surface, profile, plan, frame.surfaces, frame.lights(), follow);
+    render(surface, profile, plan, frame.surfaces, frame.lights(), {.afterPass = follow});
     // Each pass that the mask is made of, and at least a start, fronts and backs.
     const auto end = std::find_if(plan.passes.begin(), plan.passes.begin() + std::ptrdiff_t(last),
                                   [](const Pass& pass) { return pass.kind == PassKind::Copy; });
