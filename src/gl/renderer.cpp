@@ -228,7 +228,9 @@ class PassRunner {
             gl.ReadPixels(0, 0, 1, 1, GL_STENCIL_INDEX, GL_UNSIGNED_BYTE, &count);
             m_blockers = count;
         } else if (pass.drawn == Drawn::Silhouettes) {
-            m_blockers = m_programs.drawSilhouettes(light.silhouettes, m_plan.clip);
+            const auto blockers =
+                m_programs.drawSilhouettes(light.silhouettes, m_plan.clip, pass.countsBlockers);
+            if (blockers) m_blockers = *blockers;
             m_programs.useNone();
         } else if (pass.extent == Extent::Volumes && pass.volume == kAllVolumes) {
             eachInItsWindow(pass, *light.volumes);

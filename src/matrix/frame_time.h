@@ -16,6 +16,7 @@ struct TimedWay {
     Axes axes{};
     FidelityChoice fidelity{};
     std::optional<Effects> effects{};  ///< as Lab::simulate() takes them
+    bool shaderVolumes = false;        ///< withShaderVolumes()
 };
 
 /// What drawing a frame once took, milliseconds.

@@ -15,6 +15,7 @@
 #include "matrix/needs_finder.h"
 #include "matrix/result_key.h"
 #include "method/capacity.h"
+#include "method/shader_volumes.h"
 #include "volume/blockers.h"
 #include "volume/nesting.h"
 #include "volume/silhouette_finder.h"
@@ -496,20 +497,21 @@ struct Lab::Impl {
     double buildMs(const Profile& profile, const Drawing& drawing) {
         const Axes& axes = drawing.axes;
         if (axes.store == Store::None) return 0;
+        const auto& passes = drawing.plan.passes;
+        const bool byShader = std::any_of(passes.begin(), passes.end(),
+                                          [](const Pass& pass) { return pass.drawn == Drawn::Silhouettes; });
+        if (!finder) finder.emplace(scene);
         const double start = threadCpuMs();
         for (int i = 0; i < lights(); ++i) {
             if (axes.store == Store::DepthMap) {
                 depthMapFrame(scene, light(i), surfacesOf());
                 continue;
             }
-            if (axes.count == Count::AtomicZp) {
-                silhouetteMesh(scene, light(i).position, view());
-                continue;
-            }
-            if (!finder) finder.emplace(scene);
+            // The mesh with its adjacency is made once for a scene, as the finder's edges are.
+            if (byShader && axes.count != Count::PlusPlusZp) continue;
             const auto casters = finder->lit(light(i).position, axes.silhouette, axes.capFaces);
             const VolumeKey k = volumeKey(profile, axes, i);
-            frameVolumes(scene, casters, light(i).position, view(), k.parts, k.style);
+            if (!byShader) frameVolumes(scene, casters, light(i).position, view(), k.parts, k.style);
             if (axes.count == Count::PlusPlusZp) eyeBlockers(scene, casters, light(i).position, view().eye);
         }
         return threadCpuMs() - start;
@@ -689,6 +691,7 @@ std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> wa
     for (const TimedWay& way : ways) {
         as(way);
         drawings.push_back(m.drawingOf(way.profile, normalised(way.axes)));
+        if (way.shaderVolumes) drawings.back().plan = withShaderVolumes(std::move(drawings.back().plan));
     }
     std::vector<std::vector<FrameTime>> times(ways.size());
     for (int round = 0; round <= repeats; ++round)

@@ -106,7 +106,7 @@ void needPrograms(Wants& wants, const Profile& p, const Pass& pass) {
     wants.need(p.framebufferFetch || !fetches, "framebuffer_fetch",
                "a fragment program that reads the frame buffer");
     wants.need(p.geometryShaders || !extrudes, "geometry_shaders", "geometry shaders with adjacency");
-    wants.need(p.atomicCounters || !extrudes, "atomic_counters", "atomic counters");
+    wants.need(p.atomicCounters || !pass.countsBlockers, "atomic_counters", "atomic counters");
     wants.need(p.depthClamp || !pass.depthClamp, "depth_clamp", "depth clamp");
 }
 

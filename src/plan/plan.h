@@ -40,7 +40,7 @@ enum class Faces { Front, Back, Both };
 enum class Drawn {
     Volumes,     ///< the parts of volumes, cut by the host
     Blockers,    ///< the casters' lit triangles between light and eye, onto one pixel: a view of 1x1 pixels
-    Silhouettes  ///< volumes that a geometry shader makes of the casters' edges, counting what hides the eye
+    Silhouettes  ///< volumes that a geometry shader makes of the casters' edges
 };
 
 /// Fragment programs, on chips that have them.
@@ -148,6 +148,7 @@ struct Pass {
     Shading shading = Shading::None;  ///< Scene
     Drawn drawn = Drawn::Volumes;     ///< Volume
     Parts parts{};                    ///< Volume: of Drawn::Volumes
+    bool countsBlockers = false;      ///< Volume: Drawn::Silhouettes count what hides the eye, atomically
     int volume = kAllVolumes;         ///< Volume: index into the frame's volumes
     Faces faces = Faces::Both;        ///< Volume: the rest is culled
     glm::vec4 colour{1};  ///< constant source colour of volumes and rectangles; the value of a clear

@@ -338,7 +338,7 @@ std::string meshesCsv(const std::vector<MeshFacts>& meshes) {
             fields.push_back(verdictOf(builder));
             fields.push_back(builder.refusal.value_or(builder.limitation.value_or("")));
             for (const auto of : {edgesOf, sidesOf, polygonsOf, trianglesOf}) {
-                const CountSpread s = set && !builder.refusal ? spread(*set, builder.silhouette, of) : CountSpread{};
+                const auto s = set && !builder.refusal ? spread(*set, builder.silhouette, of) : CountSpread{};
                 for (const std::size_t value : {s.least, s.median, s.most, s.sum})
                     fields.push_back(set && !builder.refusal ? fmt::format("{}", value) : "");
             }

@@ -9,6 +9,7 @@
 
 #include "gl/capability.h"
 #include "gl/renderer.h"
+#include "method/shader_volumes.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -337,6 +338,25 @@ TEST(DeepStacks, AreCountedRightIn16BitsFromBothEnds) {
             EXPECT_TRUE(isDarkInTheMiddle(deep(volumes), counter)) << name(count) << volumes;
         EXPECT_TRUE(isDarkInTheMiddle(deepOnTheWay(), counter)) << name(count);
         EXPECT_FALSE(isDarkInTheMiddle(stack(std::vector<double>(300, 0.4)), counter)) << name(count);
+    }
+}
+
+// So that AtomicZP is compared like with like, where nothing hides the eye and where a slab does.
+TEST(ShaderVolumes, AreTheHostsToThePixel) {
+    for (const char* id : {"heidmann", "eisemann"}) {
+        for (const Scene& scene : {twoBoxes(), underASlab()}) {
+            constexpr int width = 120, height = 90;
+            const Frame frame = frameOf(scene, width, height);
+            Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+            const Plan plan =
+                planFrame(axesOf(id), shapeOf(int(frame.volumes().size()), width, height), ideal());
+            const Rendered byHost = render(surface, ideal(), plan, frame.surfaces, frame.lights());
+            const Plan shaded = withShaderVolumes(plan);
+            const Rendered byShader = render(surface, ideal(), shaded, frame.surfaces, frame.lights());
+            EXPECT_EQ(byShader.counts.passes, countPasses(shaded));
+            EXPECT_EQ(byShader.image.data, byHost.image.data) << id;
+            EXPECT_EQ(byShader.masks, byHost.masks) << id;
+        }
     }
 }
 
