@@ -15,14 +15,24 @@ namespace {
 
 const std::vector<ReproducedPaper>& papers() {
     static const std::vector<ReproducedPaper> kPapers{
-        {"roettger2002", {1}, reproduceRoettger2002},
+        {"roettger2002", {1}, {}, reproduceRoettger2002},
+        {"kolivand2011", {1}, {"--scene", "--size", "--frames", "--repeats"}, reproduceKolivand2011},
+        {"aldridge", {}, {"--scene", "--size", "--repeats"}, reproduceAldridge},
+        {"usta2019",
+         {},
+         {"--scene", "--size", "--frames", "--repeats", "--subdivide", "--output"},
+         reproduceUsta2019},
     };
     return kPapers;
 }
 
 struct Options {
     std::string paper{};
-    std::optional<int> table{};
+    std::optional<int> table{}, frames{}, repeats{};
+    SceneOption scenes{};
+    SizeOption sizes{};
+    std::vector<int> subdivide{};
+    std::string plot{};
     FormatOption format{};
 };
 
@@ -34,10 +44,40 @@ int run(const Options& options) {
         throw UsageError(tables.empty() ? fmt::format("--table: {} is reproduced as a whole", paper->id)
                                         : fmt::format("--table: of {} only table {} is reproduced", paper->id,
                                                       fmt::join(tables, " and ")));
-    return paper->run({.table = options.table, .format = options.format.value()});
+    const std::vector<std::pair<std::string, bool>> given{
+        {"--scene", !options.scenes.ids.empty()},    {"--size", !options.sizes.words.empty()},
+        {"--frames", options.frames.has_value()},    {"--repeats", options.repeats.has_value()},
+        {"--subdivide", !options.subdivide.empty()}, {"--output", !options.plot.empty()}};
+    for (const auto& [flag, isGiven] : given)
+        if (isGiven && !paper->flags.contains(flag))
+            throw UsageError(fmt::format("{}: not for {}", flag, paper->id));
+
+    ReproduceOptions wanted{.table = options.table,
+                            .format = options.format.value(),
+                            .frames = options.frames,
+                            .repeats = options.repeats,
+                            .subdivide = options.subdivide,
+                            .plot = options.plot};
+    if (!options.scenes.ids.empty()) {
+        SceneOption scenes = options.scenes;
+        scenes.lights = "all";
+        wanted.scenes = scenes.load();
+        for (const Scene& scene : *wanted.scenes)
+            for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
+    }
+    if (!options.sizes.words.empty()) wanted.size = theOnly("--size", options.sizes.value());
+    return paper->run(wanted);
 }
 
 }  // namespace
+
+std::vector<Scene> scenesOf(const ReproduceOptions& options, const std::vector<std::string>& ids) {
+    return options.scenes ? *options.scenes : SceneOption{}.load(ids);
+}
+
+std::string measuredOn() {
+    return "llvmpipe, thread CPU time";
+}
 
 void addReproduce(CLI::App& app, int& status) {
     const auto options = std::make_shared<Options>();
@@ -49,6 +89,24 @@ void addReproduce(CLI::App& app, int& status) {
         ->required()
         ->check(CLI::IsMember(ids));
     command->add_option("--table", options->table, "number of the table in the paper (default: all)");
+    command
+        ->add_option("--scene", options->scenes.ids,
+                     "scenes: id, scene file, mesh file; with all their lights")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("ID|FILE");
+    options->sizes.addTo(*command);
+    command->add_option("--frames", options->frames, "frames of each scene's camera path")
+        ->check(CLI::Range(1, 10'000));
+    command->add_option("--repeats", options->repeats, "rounds in which all methods are drawn in turn")
+        ->check(CLI::Range(1, 10'000));
+    command
+        ->add_option("--subdivide", options->subdivide,
+                     "how often each triangle is cut in four; a number for each scene")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->check(CLI::Range(0, 6));
+    command->add_option("-o,--output", options->plot, "file for the figure, .svg or .png");
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }
