@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <sstream>
 
@@ -384,19 +383,15 @@ Mesh readPly(const std::string& path) {
     return mesh;
 }
 
-TEST(Tracer, IsFastOnTheArmadillo) {
+TEST(Tracer, TakesTheArmadillo) {
     const std::string path = GNOMON_SHARED "/data/meshes/armadillo.ply";
     if (!std::ifstream(path)) GTEST_SKIP() << "no " << path;
     Scene scene;
     scene.objects.push_back({.mesh = readPly(path)});
     ASSERT_EQ(triangleCount(scene), 345944u);
-    const auto start = std::chrono::steady_clock::now();
     const Truth truth =
         trace(scene, {100, 300, 150, 1}, viewOf({.eye = {-60, 90, 260}, .nearPlane = 4}, 512, 512));
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    RecordProperty("seconds", std::to_string(seconds));
     EXPECT_GT(countOf(truth, Shadow::InShadow), 10000u);
-    EXPECT_LT(seconds, 60);  // 1 s; the bound catches only a wrong order of growth, also under sanitizers
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
-#include <chrono>
 #include <map>
 #include <random>
 #include <set>
@@ -272,17 +271,12 @@ TEST(LitCaster, TakesSparseVertexNumbers) {
     EXPECT_THAT(litCaster(scene, casters(scene)[0], {0, 3, 0, 1}, Silhouette::Winding).sides, SizeIs(4));
 }
 
-TEST(LitCaster, IsFastOn350kTriangles) {
+TEST(LitCaster, Takes350kTriangles) {
     const Scene scene = sceneOf(blob({0, 0, 0}, 1, 418, 420, 0.001f, 1));
     ASSERT_GT(triangleCount(scene), 350000u);
     const Caster caster = whole(scene);
-    const auto start = std::chrono::steady_clock::now();
     const LitCaster lit = litCaster(scene, caster, {3, 3, 0, 1}, Silhouette::Winding);
-    const double ms =
-        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     EXPECT_GT(lit.sides.size(), 400u);
-    RecordProperty("ms", std::to_string(ms));
-    EXPECT_LT(ms, 2000);  // some 30 ms; the bound catches only a wrong order of growth, also under sanitizers
 }
 
 TEST(Extruded, PointsAwayFromTheLight) {
