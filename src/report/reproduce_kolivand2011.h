@@ -13,6 +13,7 @@ namespace gnomon {
 struct KolivandRow {
     std::string status{};  ///< as the paper calls it
     double published = 0;  ///< frames per second
+    std::string method{};  ///< the named method whose axes these are, but for the silhouette
     Axes axes{};
     std::vector<double> buildMs{}, totalMs{};  ///< by repetition, of all frames: the host's part, and all
 
