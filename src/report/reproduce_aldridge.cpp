@@ -84,8 +84,8 @@ std::vector<AldridgeRow> aldridgeSection4() {
 
 std::string showAldridge(const AldridgeRun& run, Format format) {
     if (format == Format::Json) return jsonOf(run);
-    std::vector<std::vector<std::string>> table{{"builder", "edges published", "edges", "polygons published",
-                                                 "polygons", "fps published", "frame, ms"}};
+    std::vector<std::vector<std::string>> table{
+        {"builder", "edges published", "here", "polygons published", "here", "fps", "frame here, ms"}};
     for (const AldridgeRow& row : run.rows)
         table.push_back({row.builder, fmt::format("{}", row.publishedEdges), fmt::format("{}", row.edges),
                          fmt::format("{}", row.publishedPolygons), fmt::format("{}", row.polygons),

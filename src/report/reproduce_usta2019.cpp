@@ -67,12 +67,12 @@ std::string orderOf(const UstaScene& scene, bool byShader) {
         return spreadOf(a->ms).median < spreadOf(b->ms).median;
     });
     std::string text;
-    for (const UstaLine* line : lines) text += (text.empty() ? "" : " < ") + line->called;
+    for (const UstaLine* line : lines) text += fmt::format("{}{}", text.empty() ? "" : " < ", line->called);
     return text;
 }
 
 std::string claimsOf(const UstaScene& scene) {
-    std::string text = fmt::format("- order, volumes by the host: {}; by the shader: {}\n",
+    std::string text = fmt::format("- order, volumes by the host: {}\n- order, volumes by the shader: {}\n",
                                    orderOf(scene, false), orderOf(scene, true));
     if (const UstaLine* atomic = find(scene, "atomiczp", true)) {
         const Spread ratio = spreadOf(atomic->ratios);

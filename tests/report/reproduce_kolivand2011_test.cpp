@@ -51,8 +51,8 @@ TEST(ShowKolivand, SaysWhichOrderIsConfirmed) {
                 AllOf(HasSubstr("71.47"), HasSubstr("Not comparable"), Not(HasSubstr("not confirmed"))));
     const std::string refuted =
         showKolivand(runOf({{1, 1, 1}, {2, 2, 2}, {2, 2, 2}, {4, 4, 4}}), Format::Text);
-    EXPECT_THAT(refuted, HasSubstr("published 0.937, here 1.00 (1.00 to 1.00): not confirmed"));
-    EXPECT_THAT(refuted, HasSubstr("published 1.001, here 0.500 (0.500 to 0.500): not confirmed"));
+    EXPECT_THAT(refuted, HasSubstr("not confirmed; published 0.937, here 1.00 (1.00 to 1.00)"));
+    EXPECT_THAT(refuted, HasSubstr("not confirmed; published 1.001, here 0.500 (0.500 to 0.500)"));
 }
 
 TEST(ShowKolivand, AsJsonHasEveryFigure) {
