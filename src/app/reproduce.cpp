@@ -1,41 +1,40 @@
-#include "report/reproduce.h"
+// Only which paper and which table: each paper has a file of its own.
+
+#include "app/reproduce.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include <cstdio>
+#include <algorithm>
 
 #include "app/commands.h"
 #include "app/options.h"
-#include "matrix/lab.h"
 
 namespace gnomon {
 namespace {
 
+const std::vector<ReproducedPaper>& papers() {
+    static const std::vector<ReproducedPaper> kPapers{
+        {"roettger2002", {1}, reproduceRoettger2002},
+    };
+    return kPapers;
+}
+
 struct Options {
     std::string paper{};
-    int table = 1;
+    std::optional<int> table{};
     FormatOption format{};
 };
 
 int run(const Options& options) {
-    if (options.table != 1)
-        throw UsageError(fmt::format("--table: of {} only table 1 is reproduced", options.paper));
-    ProfileOption profiles;
-    const Profile ideal = profiles.load({"ideal"}).front();
-    SceneOption scenes;
-    Lab lab(scenes.load({"roettger"}).front());
-    const Size size{};
-    std::vector<Comparison> rows = roettgerTable1();
-    bool allAgree = true;
-    for (Comparison& row : rows) {
-        row.planned = countPasses(lab.plan(ideal, row.axes, size.width, size.height, 0));
-        const Cell cell = lab.run(ideal, row.axes, size.width, size.height, 0);
-        if (cell.verdict == Verdict::Failed) throw std::runtime_error(cell.id() + ": " + cell.error);
-        row.counted = cell.passes;
-        allAgree = allAgree && row.agrees();
-    }
-    fmt::print("{}", showComparisons(rows, options.format.value()));
-    return allAgree ? 0 : 1;
+    const auto paper = std::find_if(papers().begin(), papers().end(),
+                                    [&](const ReproducedPaper& p) { return p.id == options.paper; });
+    const auto& tables = paper->tables;
+    if (options.table && std::find(tables.begin(), tables.end(), *options.table) == tables.end())
+        throw UsageError(tables.empty() ? fmt::format("--table: {} is reproduced as a whole", paper->id)
+                                        : fmt::format("--table: of {} only table {} is reproduced", paper->id,
+                                                      fmt::join(tables, " and ")));
+    return paper->run({.table = options.table, .format = options.format.value()});
 }
 
 }  // namespace
@@ -43,11 +42,13 @@ int run(const Options& options) {
 void addReproduce(CLI::App& app, int& status) {
     const auto options = std::make_shared<Options>();
     CLI::App* command = app.add_subcommand(
-        "reproduce", "Published figures beside measured ones; exit status 1 if one differs");
-    command->add_option("paper", options->paper, "roettger2002")
+        "reproduce", "Published figures beside measured ones; exit status 1 if one that must agree differs");
+    std::vector<std::string> ids;
+    for (const ReproducedPaper& paper : papers()) ids.push_back(paper.id);
+    command->add_option("paper", options->paper, fmt::format("{}", fmt::join(ids, ", ")))
         ->required()
-        ->check(CLI::IsMember({"roettger2002"}));
-    command->add_option("--table", options->table, "number of the table in the paper")->capture_default_str();
+        ->check(CLI::IsMember(ids));
+    command->add_option("--table", options->table, "number of the table in the paper (default: all)");
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -1,4 +1,4 @@
-#include "report/reproduce.h"
+#include "report/reproduce_roettger2002.h"
 
 #include <fmt/format.h>
 
