@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<ReproducedPaper>& papers() {
     static const std::vector<ReproducedPaper> kPapers{
-        {"roettger2002", {1}, reproduceRoettger2002},
+        {"roettger2002", {1, 2}, reproduceRoettger2002},
     };
     return kPapers;
 }
@@ -24,6 +24,7 @@ struct Options {
     std::string paper{};
     std::optional<int> table{};
     FormatOption format{};
+    bool measures = false;
 };
 
 int run(const Options& options) {
@@ -34,7 +35,8 @@ int run(const Options& options) {
         throw UsageError(tables.empty() ? fmt::format("--table: {} is reproduced as a whole", paper->id)
                                         : fmt::format("--table: of {} only table {} is reproduced", paper->id,
                                                       fmt::join(tables, " and ")));
-    return paper->run({.table = options.table, .format = options.format.value()});
+    return paper->run(
+        {.table = options.table, .format = options.format.value(), .measures = options.measures});
 }
 
 }  // namespace
@@ -49,6 +51,8 @@ void addReproduce(CLI::App& app, int& status) {
         ->required()
         ->check(CLI::IsMember(ids));
     command->add_option("--table", options->table, "number of the table in the paper (default: all)");
+    command->add_flag("--measure", options->measures,
+                      "roettger2002's table 2: also time its frames on this machine");
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -12,6 +12,7 @@ namespace gnomon {
 struct ReproduceOptions {
     std::optional<int> table{};  ///< none: all of the paper's
     Format format = Format::Text;
+    bool measures = false;  ///< time what is only modelled on this machine too
 
     bool wants(int number) const { return !table || *table == number; }
 };

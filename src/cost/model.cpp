@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace gnomon {
@@ -111,6 +112,14 @@ FrameCost frameCost(const Plan& plan, const Profile& profile, std::span<const Dr
     need(all.triangles, profile.megatrianglesPerSecond, "triangle rate", "megatriangles_per_second");
     need(all.busBytes, profile.busMegabytesPerSecond, "bus rate", "bus_megabytes_per_second");
     return cost;
+}
+
+bool hasModelRates(const Profile& profile) {
+    return profile.megapixelsPerSecond > 0 && (profile.onChipFrame || profile.gigabytesPerSecond > 0);
+}
+
+std::int64_t rankedNs(const FrameCost& cost) {
+    return std::llround(cost.ms() * 1e6);
 }
 
 std::vector<std::string> modelRates(const Profile& profile) {

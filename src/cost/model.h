@@ -66,6 +66,13 @@ PassCost passCost(PassKind kind, const PassTraffic& traffic, const Profile& prof
 FrameCost frameCost(const Plan& plan, const Profile& profile, std::span<const DrawnAmount> amounts,
                     std::span<const std::int64_t> passed = {}, double hostMs = 0);
 
+/// Whether @p profile has the rates without which times can't be compared: fill, and bandwidth unless the
+/// frame is on the chip.
+bool hasModelRates(const Profile& profile);
+
+/// Milliseconds in whole nanoseconds, by which methods are ranked: sums in another order are the same.
+std::int64_t rankedNs(const FrameCost& cost);
+
 /// What the model takes from @p profile, with its source each: "fill 350 Mpixel/s [SYSREQ]", "bandwidth
 /// nothing: the frame is on the chip [PSDEVWIKI]".
 std::vector<std::string> modelRates(const Profile& profile);
