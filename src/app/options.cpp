@@ -434,6 +434,17 @@ std::vector<Size> SizeOption::value() const {
     return sizes.empty() ? std::vector<Size>{{}} : sizes;
 }
 
+void addHostMs(CLI::App& app, double& hostMs) {
+    app.add_option("--host-ms", hostMs,
+                   "cost model: milliseconds that the machine's processor needs for a frame, beside the chip "
+                   "(default: left out)")
+        ->check([](const std::string& word) -> std::string {
+            double value = -1;  // CLI::Range lets nan through
+            const bool isNumber = CLI::detail::lexical_cast(word, value);
+            return isNumber && value >= 0 && value <= 1e6 ? "" : word + " is not in 0 to 1000000";
+        });
+}
+
 std::vector<int> parseFrames(const std::vector<std::string>& words) {
     std::vector<int> frames;
     for (const std::string& word : words) {

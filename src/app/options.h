@@ -93,6 +93,9 @@ struct SizeOption {
     std::vector<Size> value() const;
 };
 
+/// --host-ms: what the processor of the time needs for a frame, for the cost model; finite, not negative.
+void addHostMs(CLI::App& app, double& hostMs);
+
 /// "0,15" or "0-59"; each a comma list.
 std::vector<int> parseFrames(const std::vector<std::string>& words);
 

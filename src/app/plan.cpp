@@ -20,6 +20,7 @@ struct Options {
     EffectsOption effects{};
     FormatOption format{};
     int frame = 0;
+    double hostMs = 0;
     bool explain = false;
 };
 
@@ -45,11 +46,15 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
         MinimalPlan least = lab.minimalPlan(profile, axes, width, height, frame);
         if (options.explain) {
             const std::string drawnAs = methodId(least.axes);
-            sheet.notes = {.effects = least.notes,
-                           .amounts = lab.amounts(profile, least, width, height, frame),
-                           .full = sheet.plan,
-                           .fullAmount = sumOf(lab.fullAmounts(profile, axes, width, height, frame)),
-                           .drawnAs = drawnAs == sheet.method ? "" : drawnAs};
+            sheet.notes = {
+                .effects = least.notes,
+                .amounts = lab.amounts(profile, least, width, height, frame),
+                .full = sheet.plan,
+                .fullAmount = sumOf(lab.fullAmounts(profile, axes, width, height, frame)),
+                .cost = CostNotes{lab.cost(profile, least, width, height, frame, options.hostMs),
+                                  lab.fullCost(profile, axes, width, height, frame, options.hostMs),
+                                  modelRates(profile)},
+                .drawnAs = drawnAs == sheet.method ? "" : drawnAs};
         }
         sheet.plan = std::move(least.plan);
     }
@@ -102,6 +107,7 @@ void addPlan(CLI::App& app, int& status) {
     command->add_flag(
         "--explain", options->explain,
         "the plan with what the frame calls for: why each pass is there, what is left out and why");
+    addHostMs(*command, options->hostMs);
     options->effects.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });

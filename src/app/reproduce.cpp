@@ -15,7 +15,7 @@ namespace {
 
 const std::vector<ReproducedPaper>& papers() {
     static const std::vector<ReproducedPaper> kPapers{
-        {"roettger2002", {1}, {}, reproduceRoettger2002},
+        {"roettger2002", {1, 2}, {"--measure"}, reproduceRoettger2002},
         {"kolivand2011", {1}, {"--scene", "--size", "--frames", "--repeats"}, reproduceKolivand2011},
         {"aldridge", {}, {"--scene", "--size", "--repeats"}, reproduceAldridge},
         {"usta2019",
@@ -34,6 +34,7 @@ struct Options {
     std::vector<int> subdivide{};
     std::string plot{};
     FormatOption format{};
+    bool measures = false;
 };
 
 int run(const Options& options) {
@@ -44,10 +45,13 @@ int run(const Options& options) {
         throw UsageError(tables.empty() ? fmt::format("--table: {} is reproduced as a whole", paper->id)
                                         : fmt::format("--table: of {} only table {} is reproduced", paper->id,
                                                       fmt::join(tables, " and ")));
-    const std::vector<std::pair<std::string, bool>> given{
-        {"--scene", !options.scenes.ids.empty()},    {"--size", !options.sizes.words.empty()},
-        {"--frames", options.frames.has_value()},    {"--repeats", options.repeats.has_value()},
-        {"--subdivide", !options.subdivide.empty()}, {"--output", !options.plot.empty()}};
+    const std::vector<std::pair<std::string, bool>> given{{"--scene", !options.scenes.ids.empty()},
+                                                          {"--size", !options.sizes.words.empty()},
+                                                          {"--frames", options.frames.has_value()},
+                                                          {"--repeats", options.repeats.has_value()},
+                                                          {"--subdivide", !options.subdivide.empty()},
+                                                          {"--output", !options.plot.empty()},
+                                                          {"--measure", options.measures}};
     for (const auto& [flag, isGiven] : given)
         if (isGiven && !paper->flags.contains(flag))
             throw UsageError(fmt::format("{}: not for {}", flag, paper->id));
@@ -61,7 +65,8 @@ int run(const Options& options) {
                             .frames = options.frames,
                             .repeats = options.repeats,
                             .subdivide = options.subdivide,
-                            .plot = options.plot};
+                            .plot = options.plot,
+                            .measures = options.measures};
     if (!options.scenes.ids.empty()) {
         SceneOption scenes = options.scenes;
         scenes.lights = "all";
@@ -111,6 +116,8 @@ void addReproduce(CLI::App& app, int& status) {
         ->allow_extra_args(false)
         ->check(CLI::Range(0, 6));
     command->add_option("-o,--output", options->plot, "file for the figure, .svg or .png");
+    command->add_flag("--measure", options->measures,
+                      "roettger2002's table 2: also time its frames on this machine");
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

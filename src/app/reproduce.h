@@ -21,6 +21,7 @@ struct ReproduceOptions {
     std::optional<int> frames{}, repeats{};  ///< of each scene's path; rounds
     std::vector<int> subdivide{};            ///< by scene: how often its meshes are cut in four
     std::filesystem::path plot{};            ///< where a figure goes; empty: nowhere
+    bool measures = false;                   ///< times frames on this machine, too
 
     bool wants(int number) const { return !table || *table == number; }
 };

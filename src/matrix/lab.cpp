@@ -95,6 +95,7 @@ struct Lab::Impl {
         truths{};  ///< by light, depth format
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
+    std::map<std::string, std::vector<std::int64_t>> passed{};  ///< fragments by pass; keyed as results are
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
     std::map<std::tuple<int, VolumeKey, int, int>, Nesting> nestings{};  ///< by light, volumes, size
@@ -114,6 +115,7 @@ struct Lab::Impl {
         truths.clear();
         shapes.clear();
         results.clear();
+        passed.clear();
         unshadowed.clear();
         eyeInside.clear();
         if (predictor) predictor->select(view());
@@ -368,6 +370,20 @@ struct Lab::Impl {
             return current;
         };
         return drawnAmounts(drawing.plan, surfacesOf(), frames);
+    }
+
+    FrameCost costOf(const Profile& profile, const Drawing& drawing, double hostMs) {
+        const std::vector<DrawnAmount> drawn = amounts(profile, drawing);
+        std::vector<std::int64_t>& samples = passed[keyOf(profile, drawing)];
+        if (samples.empty()) samples = drawOnce(profile, drawing, {.countsSamples = true}).passSamples;
+        return frameCost(drawing.plan, profile, drawn, samples, hostMs);
+    }
+
+    /// The same for drawings that show the same.
+    std::string keyOf(const Profile& profile, const Drawing& drawing) {
+        return (emulatesEverywhere() ? "everywhere " : "") +
+               resultKey(bufferFormatOf(profile), arithmeticOf(profile, fidelity), drawing.plan, drawing.axes,
+                         volumeKeys(profile, drawing.axes), drawing.volumes);
     }
 
     FramePredictor& predictorOf() {
@@ -717,6 +733,19 @@ std::vector<DrawnAmount> Lab::fullAmounts(const Profile& profile, const Axes& gi
     return m_impl->amounts(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)});
 }
 
+FrameCost Lab::cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
+                    double hostMs) {
+    m_impl->select({width, height, frame});
+    return m_impl->costOf(profile, Impl::drawingOf(minimal), hostMs);
+}
+
+FrameCost Lab::fullCost(const Profile& profile, const Axes& given, int width, int height, int frame,
+                        double hostMs) {
+    m_impl->select({width, height, frame});
+    const Axes axes = normalised(given);
+    return m_impl->costOf(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)}, hostMs);
+}
+
 std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {
     return m_impl->missingOf(profile, normalised(axes), plan);
 }
@@ -771,10 +800,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
         }
         m_impl->addNesting(cell, profile, axes, plan);
         const Drawing drawing = m_impl->drawingOf(profile, axes);
-        const std::string key =
-            (m_impl->emulatesEverywhere() ? "everywhere " : "") +
-            resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity), drawing.plan,
-                      drawing.axes, m_impl->volumeKeys(profile, drawing.axes), drawing.volumes);
+        const std::string key = m_impl->keyOf(profile, drawing);
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;

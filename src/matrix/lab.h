@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cost/model.h"
 #include "cost/touched.h"
 #include "gl/chip_arithmetic.h"
 #include "gl/renderer.h"
@@ -86,6 +87,16 @@ class Lab {
     /// The same of the full plan of @p axes.
     std::vector<DrawnAmount> fullAmounts(const Profile& profile, const Axes& axes, int width, int height,
                                          int frame);
+
+    /// What a minimal plan would take on the chip, by the model. It is drawn once, for the fragments that
+    /// pass.
+    /// @param hostMs  as frameCost() takes it
+    /// @pre the chip lacks nothing for it
+    FrameCost cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
+                   double hostMs = 0);
+    /// The same of the full plan of @p axes.
+    FrameCost fullCost(const Profile& profile, const Axes& axes, int width, int height, int frame,
+                       double hostMs = 0);
 
     /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
     /// scene.

@@ -239,8 +239,15 @@ struct Missing {
 /// run.
 std::vector<Missing> missing(const Profile& profile, const Plan& plan);
 
+/// Of one pixel of the buffers that gnomon renders into on a chip, in words of 1, 2 or 4 bytes.
+struct PixelBytes {
+    int colour = 0;
+    int depth = 0;  ///< 24 bits share a 32-bit word with the stencil; 0: no depth buffer
+    bool operator==(const PixelBytes&) const = default;
+};
+PixelBytes pixelBytes(const Profile& profile);
+
 /// The bytes of a frame of this size on the chip: two colour buffers and one of depth.
-/// Depth of 24 bits shares a 32-bit word with the stencil.
 std::int64_t frameBytes(const Profile& profile, int width, int height);
 
 /// Whether a value of the finished mask at @p tap is a shadow: a stencil value, a count of 16 bits, or 8 bits
