@@ -5,6 +5,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "cost/steady_memory.h"
 #include "matrix/frontier.h"
 #include "report/cost_report.h"
 
@@ -79,12 +80,14 @@ int run(const Options& options) {
                 fmt::format("--frames: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
     for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
 
+    keepFreedMemory();
     const CostStudy study = costStudy(lab, request, showProgress);
     fmt::print("{}", showCost(study, format));
     const bool isDrawn =
         std::any_of(study.rows.begin(), study.rows.end(), [](const CostRow& row) { return row.isDrawn(); });
-    if (!options.output.empty()) {
-        if (!isDrawn) throw UsageError(fmt::format("{}: nothing to plot, all is refused", options.output));
+    if (!isDrawn && !options.output.empty())
+        fmt::print(stderr, "gnomon: {}: nothing to plot, all is refused\n", options.output);
+    if (isDrawn && !options.output.empty()) {
         try {
             savePlots(costPlots(study), options.output);
         } catch (const std::runtime_error& error) {
@@ -113,7 +116,9 @@ void addCost(CLI::App& app, int& status) {
     command->add_option("--frames", options->frames, "frames of the camera path: 0,15 or 0-59 (default: 0)")
         ->delimiter(',')
         ->allow_extra_args(false);
-    command->add_option("--repeats", options->repeats, "rounds in which all are timed in turn")
+    command
+        ->add_option("--repeats", options->repeats,
+                     fmt::format("rounds of timing, of {} drawings each", kDrawingsPerRound))
         ->capture_default_str()
         ->check(CLI::Range(1, 10'000));
     options->fidelity.addTo(*command);

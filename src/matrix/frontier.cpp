@@ -159,38 +159,39 @@ class Study {
     }
 
     void time(int frame) {
-        // Each way's own unshadowed frame: the same chip, buffers and arithmetic.
+        // Before each way its own unshadowed frame: the same chip, buffers and arithmetic.
         std::vector<TimedWay> ways;
-        std::vector<std::pair<std::size_t, std::size_t>> pairs;  ///< of ways, by row
-        std::map<std::pair<BufferFormat, ChipArithmetic>, std::size_t> unshadowed;
+        std::vector<CostRow*> rows;
+        std::map<std::pair<BufferFormat, ChipArithmetic>, std::vector<std::size_t>> alike;  ///< of rows
         for (std::size_t i = 0; i < m_ways.size(); ++i) {
             if (!m_result.rows[i].isDrawn()) continue;
             const TimedWay& way = m_ways[i];
-            const auto key =
-                std::make_pair(bufferFormatOf(way.profile), arithmeticOf(way.profile, way.fidelity));
-            const auto [at, isNew] = unshadowed.try_emplace(key, ways.size());
-            if (isNew) ways.push_back({way.profile, normalised({.store = Store::None}), way.fidelity, {}});
-            pairs.push_back({ways.size(), at->second});
+            alike[{bufferFormatOf(way.profile), arithmeticOf(way.profile, way.fidelity)}].push_back(
+                rows.size());
+            rows.push_back(&m_result.rows[i]);
+            ways.push_back({way.profile, normalised({.store = Store::None}), way.fidelity, {}});
             ways.push_back(way);
         }
-        if (ways.empty()) return step();
-        const auto times =
-            m_lab.frameTimes(ways, m_request.width, m_request.height, frame, m_request.repeats);
-        const auto totals = [&](std::size_t way) {
-            std::vector<double> all;
-            for (const FrameTime& one : times[way]) all.push_back(one.total());
-            return all;
-        };
-        std::size_t next = 0;
-        for (CostRow& row : m_result.rows) {
-            if (!row.isDrawn()) continue;
-            const auto [own, bare] = pairs[next++];
-            const std::vector<double> all = ratios(totals(own), totals(bare));
-            row.ratios.insert(row.ratios.end(), all.begin(), all.end());
+        const auto times = m_lab.frameTimes(ways, m_request.width, m_request.height, frame,
+                                            m_request.repeats * kDrawingsPerRound);
+        for (int round = 0; round < m_request.repeats; ++round) {
+            const auto best = [&](std::size_t way) {
+                const auto first = times[way].begin() + round * kDrawingsPerRound;
+                return std::min_element(first, first + kDrawingsPerRound, isShorter)->total();
+            };
+            for (const auto& [format, members] : alike) {
+                std::vector<double> bare;
+                for (const std::size_t row : members) bare.push_back(best(2 * row));
+                const double unshadowed = spreadOf(bare).median;
+                m_unshadowedMs.push_back(unshadowed);
+                for (const std::size_t row : members)
+                    rows[row]->ratios.push_back(best(2 * row + 1) / unshadowed);
+            }
         }
-        for (const double ms : totals(0)) m_unshadowedMs.push_back(ms);
         step();
     }
+
+    static bool isShorter(const FrameTime& a, const FrameTime& b) { return a.total() < b.total(); }
 
     void finish() {
         m_result.unshadowedMs = spreadOf(m_unshadowedMs).median;

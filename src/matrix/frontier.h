@@ -40,13 +40,16 @@ struct CostRow {
     ErrorSum error{};
     PassCounts passes{};  ///< in all frames, and so are the next two
     DrawnAmount amount{};
-    std::vector<double> ratios{};    ///< by frame and round: its time to that of the unshadowed frame
+    /// By frame and round: its time to that of the unshadowed frame. See CostRequest::repeats.
+    std::vector<double> ratios{};
     Spread ratio{};                  ///< of them
     bool onTimeFrontier = false;     ///< no other is as exact in less time, or more exact in as much
     bool onTouchedFrontier = false;  ///< the same of touched pixels
 
     bool isDrawn() const { return missing.empty() && failure.empty(); }
 };
+
+constexpr int kDrawingsPerRound = 8;
 
 /// What a study is made of.
 struct CostRequest {
@@ -56,7 +59,10 @@ struct CostRequest {
     std::vector<CostSetting> settings{};
     int width = 320, height = 240;
     std::vector<int> frames{0};
-    int repeats = 25;  ///< of the timings
+    /// Rounds of timing. In each, all settings are drawn in turn kDrawingsPerRound times, an unshadowed frame
+    /// before each; the best of a setting's drawings counts, and of the unshadowed ones the median over all
+    /// settings of the best before each: what else the machine does only ever adds to a time.
+    int repeats = 9;
 };
 
 struct CostStudy {

@@ -102,9 +102,11 @@ std::string costText(const CostStudy& study) {
         "edge, inside: wrong pixels at the true boundary of shadows, and away from it{}. mean px, max px: "
         "their distance from that boundary, in pixels. RMS (levels of 255) and PSNR (dB): the image against "
         "the one that truth gives. time: of this processor, as a multiple of the unshadowed frame "
-        "({:.2f} ms of it here; never the chip's time), median of {} rounds, with quartiles. On a frontier, "
-        "where no other is both cheaper and more exact: * of time, + of touched pixels.",
-        study.frames.size() > 1 ? ", in all frames" : "", study.unshadowedMs, study.repeats));
+        "({:.2f} ms of it here; never the chip's time): median and quartiles of {} rounds, the best of {} "
+        "drawings in each. On a frontier, where no other is both cheaper and more exact: * of time, + of "
+        "touched pixels.",
+        study.frames.size() > 1 ? ", in all frames" : "", study.unshadowedMs, study.repeats,
+        kDrawingsPerRound));
     text += fmt::format("{}\n", countTable(study));
     paragraph(
         "The same on every machine. passes: scene/volume/rectangle/copy. clear to touched: pixels that are "
