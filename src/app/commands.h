@@ -15,5 +15,6 @@ void addScenes(CLI::App& app, int& status);
 void addMesh(CLI::App& app, int& status);
 void addReproduce(CLI::App& app, int& status);
 void addProve(CLI::App& app, int& status);
+void addCost(CLI::App& app, int& status);
 
 }  // namespace gnomon

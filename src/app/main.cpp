@@ -19,6 +19,7 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
     gnomon::addAdvise(app, status);
+    gnomon::addCost(app, status);
     gnomon::addProve(app, status);
     gnomon::addReproduce(app, status);
     gnomon::addProfiles(app, status);

@@ -618,6 +618,8 @@ struct Lab::Impl {
             if (pictures) {
                 masks.push_back(shadowPicture(*truth, mask));
                 truthPictures.push_back(truthPicture(*truth));
+                pictures->judgements.push_back(judgements.back());
+                pictures->truths.push_back(truth);
             }
             const Explained one = explained(profile, drawing, format, chip, i, *truth, judgements.back(),
                                             rendered.values[std::size_t(i)]);

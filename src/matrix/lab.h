@@ -29,6 +29,9 @@ struct Pictures {
     Image truth{};                           ///< the same from the tracer
     std::vector<std::vector<bool>> masks{};  ///< Rendered::masks: by light; empty of one that was left out
     Judgement judgement{};
+    // By light that was drawn; of several, a light that was left out has no entry.
+    std::vector<Judgement> judgements{};
+    std::vector<std::shared_ptr<const Truth>> truths{};  ///< what they are held against
     std::vector<Cause> causes{};  ///< by pixel: why it is wrong; of several lights the first that is
 };
 

@@ -28,6 +28,9 @@ struct PlotAxis {
     std::string title{};
     bool logarithmic = false;  ///< its values are positive; 0 stands at the axis' foot, marked as 0
     std::string foot = "0";    ///< what is written there
+    /// Points at 0 stand in a strip, each series on a line of its own, so that many have room: for the upward
+    /// axis only.
+    bool spreadsFoot = false;
 };
 
 struct Plot {

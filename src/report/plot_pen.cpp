@@ -138,6 +138,11 @@ void PlotPen::symbol(double x, double y, const PlotLook& look, bool marked) {
     cairo_stroke(m_context);
 }
 
+void PlotPen::fill(const PlotBox& box) {
+    cairo_rectangle(m_context, box.x, box.y, box.width, box.height);
+    cairo_fill(m_context);
+}
+
 void PlotPen::fillAll() {
     cairo_paint(m_context);
 }

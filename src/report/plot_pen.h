@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "report/plot_labels.h"
+
 typedef struct _cairo cairo_t;
 
 namespace gnomon {
@@ -48,6 +50,7 @@ class PlotPen {
     void lines(const std::vector<std::pair<double, double>>& corners, double width);
     /// @param marked  filled and larger
     void symbol(double x, double y, const PlotLook& look, bool marked);
+    void fill(const PlotBox& box);
     void fillAll();
 
   private:

@@ -88,8 +88,8 @@ PlotScale logScale(const std::vector<double>& values, int ticks, const std::stri
 
 double PlotScale::at(double value) const {
     if (!logarithmic) return (value - low) / (high - low);
-    if (value == 0) return kFootAt;
-    const double start = hasFoot ? kAboveFoot : 0;
+    if (value == 0) return footAt;
+    const double start = hasFoot ? aboveFoot : 0;
     return start + (1 - start) * std::log(value / low) / std::log(high / low);
 }
 

@@ -15,14 +15,12 @@ struct PlotScale {
     double low = 0, high = 1;  ///< its ends; of a logarithmic axis without the foot
     bool logarithmic = false;
     bool hasFoot = false;  ///< logarithmic, and there are zeros: they stand apart below the rest
+    double footAt = 0.035, aboveFoot = 0.1;  ///< where zeros stand, of its length, and where the rest begins
     std::vector<PlotTick> ticks{};
 
     /// 0 at the axis' start, 1 at its end.
     double at(double value) const;
 };
-
-constexpr double kFootAt = 0.035;   ///< where zeros stand, of the axis' length
-constexpr double kAboveFoot = 0.1;  ///< where the rest begins
 
 /// An axis on which @p values have room, with round ticks, about @p ticks of them with a number.
 /// @param foot  the text of the tick at 0

@@ -77,8 +77,8 @@ TEST(PlotScale, HasRoomForAllValuesAndATickWithANumber) {
 TEST(PlotScale, SetsZeroApartWhereItIsLogarithmic) {
     const PlotScale scale = plotScale({0, 1, 100}, true, 7, "0: exact");
     EXPECT_EQ(textsOf(scale).front(), "0: exact");
-    EXPECT_EQ(scale.at(0), kFootAt);
-    EXPECT_GE(scale.at(1), kAboveFoot);
+    EXPECT_EQ(scale.at(0), scale.footAt);
+    EXPECT_GE(scale.at(1), scale.aboveFoot);
     // Equal factors are equal lengths.
     EXPECT_NEAR(scale.at(100) - scale.at(10), scale.at(10) - scale.at(1), 1e-12);
     EXPECT_FALSE(plotScale({1, 100}, true).hasFoot);
