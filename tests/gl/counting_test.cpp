@@ -9,6 +9,7 @@
 
 #include "gl/capability.h"
 #include "gl/renderer.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -44,7 +45,7 @@ class Studio {
 
   private:
     Profile m_profile;
-    Surface m_surface;
+    TestSurface m_surface;
     Frame m_frame;
 };
 
@@ -346,7 +347,7 @@ TEST(TwoLights, DrawWhatEachWouldAlone) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     shape.lights[1].directional = true;
@@ -375,7 +376,7 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
