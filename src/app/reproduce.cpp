@@ -15,6 +15,7 @@ struct Options {
     std::string paper{};
     int table = 1;
     FormatOption format{};
+    DeviceOption device{};
 };
 
 int run(const Options& options) {
@@ -24,6 +25,7 @@ int run(const Options& options) {
     const Profile ideal = profiles.load({"ideal"}).front();
     SceneOption scenes;
     Lab lab(scenes.load({"roettger"}).front());
+    lab.drawOn(options.device.value());
     const Size size{};
     std::vector<Comparison> rows = roettgerTable1();
     bool allAgree = true;
@@ -48,6 +50,7 @@ void addReproduce(CLI::App& app, int& status) {
         ->required()
         ->check(CLI::IsMember({"roettger2002"}));
     command->add_option("--table", options->table, "number of the table in the paper")->capture_default_str();
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -10,38 +10,38 @@ namespace gnomon {
 double threadCpuMs();
 
 /// Whose time a Stopwatch takes.
-enum class Clock : std::uint8_t {
+enum class DrawClock : std::uint8_t {
     Thread,  ///< the thread's, on the processor: a software rasteriser draws on it (LP_NUM_THREADS=0)
     Gpu,     ///< the GPU's, by GL_TIME_ELAPSED
 };
 
 /// "thread", "gpu".
-const char* name(Clock);
+const char* name(DrawClock);
 
-/// Clock::Thread where the processor draws, else Clock::Gpu. @pre the surface is current
-Clock clockOf(const Surface& surface);
+/// DrawClock::Thread where the processor draws, else DrawClock::Gpu. @pre the surface is current
+DrawClock clockOf(const Surface& surface);
 
 /// Times what is drawn on a surface.
 class Stopwatch {
   public:
     explicit Stopwatch(Surface& surface) : Stopwatch(surface, clockOf(surface)) {}
     /// @pre the surface is current, here and in all calls
-    Stopwatch(Surface& surface, Clock clock);
+    Stopwatch(Surface& surface, DrawClock clock);
     ~Stopwatch();
     Stopwatch(const Stopwatch&) = delete;
     Stopwatch& operator=(const Stopwatch&) = delete;
 
-    /// @pre of Clock::Gpu no other stopwatch runs: OpenGL has one such query at a time
+    /// @pre of DrawClock::Gpu no other stopwatch runs: OpenGL has one such query at a time
     void start();
-    /// Milliseconds since start(). Clock::Thread: of what is drawn and not finished (glFinish) some may be
-    /// missing. Clock::Gpu: waits for what was drawn, and takes all of it.
+    /// Milliseconds since start(). DrawClock::Thread: of what is drawn and not finished (glFinish) some may
+    /// be missing. DrawClock::Gpu: waits for what was drawn, and takes all of it.
     double stop();
 
   private:
     Surface& m_surface;
-    const Clock m_clock;
-    unsigned m_query = 0;  ///< Clock::Gpu
-    double m_start = 0;    ///< Clock::Thread
+    const DrawClock m_clock;
+    unsigned m_query = 0;  ///< DrawClock::Gpu
+    double m_start = 0;    ///< DrawClock::Thread
 };
 
 }  // namespace gnomon

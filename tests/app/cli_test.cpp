@@ -28,8 +28,8 @@ const std::filesystem::path kShared = GNOMON_SHARED;
 
 class Program : public ProgramTest {};
 
-constexpr const char* kCommands[] = {"matrix", "render",   "plan",    "advise", "reproduce",
-                                     "prove",  "profiles", "methods", "scenes", "mesh"};
+constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "advise", "reproduce", "prove",
+                                     "profiles", "methods", "scenes", "mesh",   "devices"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
     const Outcome help = run({"--help"});

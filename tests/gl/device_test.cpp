@@ -241,14 +241,14 @@ TEST(Surfaces, AreSoftwareWhereTheDriverSaysSo) {
                                                {"AMD Radeon RX 580 (polaris10)", false}}) {
         surface.decorate([&, name = renderer](GlTable gl) { return saying(std::move(gl), name); });
         EXPECT_EQ(surface.isSoftware(), isSoftware) << renderer;
-        EXPECT_EQ(clockOf(surface), isSoftware ? Clock::Thread : Clock::Gpu);
+        EXPECT_EQ(clockOf(surface), isSoftware ? DrawClock::Thread : DrawClock::Gpu);
     }
 }
 
 TEST(Stopwatch, TakesTheTimeThatTheDriverMeasured) {
     TestSurface surface({}, 256, 256);
     const GlTable& gl = surface.driver();
-    Stopwatch watch(surface, Clock::Gpu);
+    Stopwatch watch(surface, DrawClock::Gpu);
     gl.Color4f(1, 1, 1, 1);
     for (int round = 0; round < 2; ++round) {
         watch.start();
