@@ -26,6 +26,7 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addMethods(app, status);
     gnomon::addScenes(app, status);
     gnomon::addMesh(app, status);
+    gnomon::addDevices(app, status);
 }
 
 int fail(Exit status, const std::string& what) {

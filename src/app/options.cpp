@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "matrix/hard_run.h"
+#include "matrix/probe.h"
 #include "method/from_words.h"
 #include "profile/words.h"
 
@@ -500,6 +501,21 @@ std::vector<FidelityChoice> FidelityOption::value(const std::vector<Profile>& pr
     if (!chip && (choice.dithers || choice.unit))
         throw UsageError("--dither and --blend-unit are of --fidelity chip");
     return choices;
+}
+
+void DeviceOption::addTo(CLI::App& app) {
+    app.add_option("--device", word,
+                   fmt::format("what draws: {} (default: {}; gnomon devices lists them)",
+                               listOf<Device>(kDevices), name(defaultDevice())));
+}
+
+Device DeviceOption::value() const {
+    const Device device = word.empty() ? defaultDevice() : wordOf<Device>("--device", word, kDevices);
+    // OSMesa, where it is built in, brings its driver along.
+    if (isBuilt(device) && device == Device::Osmesa) return device;
+    const DriverFacts facts = probe(device);
+    if (!facts.problem.empty()) throw UsageError(fmt::format("--device {}: {}", name(device), facts.problem));
+    return device;
 }
 
 }  // namespace gnomon

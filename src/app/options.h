@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/device.h"
 #include "matrix/run.h"
 #include "method/method.h"
 #include "profile/profile.h"
@@ -106,6 +107,14 @@ struct FidelityOption {
     void addTo(CLI::App& app);
     /// @throws UsageError for an unknown word, or a blend unit that none of @p profiles has
     std::vector<FidelityChoice> value(const std::vector<Profile>& profiles) const;
+};
+
+/// --device
+struct DeviceOption {
+    std::string word{};
+    void addTo(CLI::App& app);
+    /// @throws UsageError  no such device, gnomon was built without it, or the system has no driver for it
+    Device value() const;
 };
 
 }  // namespace gnomon

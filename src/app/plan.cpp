@@ -19,6 +19,7 @@ struct Options {
     SizeOption sizes{};
     EffectsOption effects{};
     FormatOption format{};
+    DeviceOption device{};
     int frame = 0;
     double hostMs = 0;
     bool explain = false;
@@ -69,6 +70,7 @@ int run(const Options& options) {
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.drawOn(options.device.value());
     if (options.frame < 0 || options.frame >= int(lab.scene().frames.size()))
         throw UsageError(
             fmt::format("--frame: {} has frames 0 to {}", lab.scene().id, lab.scene().frames.size() - 1));
@@ -109,6 +111,7 @@ void addPlan(CLI::App& app, int& status) {
         "the plan with what the frame calls for: why each pass is there, what is left out and why");
     addHostMs(*command, options->hostMs);
     options->effects.addTo(*command);
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "matrix/probe.h"
 
 namespace gnomon {
 namespace {
@@ -35,6 +36,7 @@ struct Options {
     std::string plot{};
     FormatOption format{};
     bool measures = false;
+    DeviceOption device{};
 };
 
 int run(const Options& options) {
@@ -66,7 +68,8 @@ int run(const Options& options) {
                             .repeats = options.repeats,
                             .subdivide = options.subdivide,
                             .plot = options.plot,
-                            .measures = options.measures};
+                            .measures = options.measures,
+                            .device = options.device.value()};
     if (!options.scenes.ids.empty()) {
         SceneOption scenes = options.scenes;
         scenes.lights = "all";
@@ -84,8 +87,10 @@ std::vector<Scene> scenesOf(const ReproduceOptions& options, const std::vector<s
     return options.scenes ? *options.scenes : SceneOption{}.load(ids);
 }
 
-std::string measuredOn() {
-    return "llvmpipe, thread CPU time";
+std::string measuredOn(Device device) {
+    const DriverFacts facts = probe(device);
+    return fmt::format("{}, {}", facts.driver,
+                       facts.clock == DrawClock::Gpu ? "time of the GPU" : "thread CPU time");
 }
 
 void addReproduce(CLI::App& app, int& status) {
@@ -118,6 +123,7 @@ void addReproduce(CLI::App& app, int& status) {
     command->add_option("-o,--output", options->plot, "file for the figure, .svg or .png");
     command->add_flag("--measure", options->measures,
                       "roettger2002's table 2: also time its frames on this machine");
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/device.h"
 #include "matrix/run.h"
 #include "report/listings.h"
 #include "scene/scene.h"
@@ -22,6 +23,7 @@ struct ReproduceOptions {
     std::vector<int> subdivide{};            ///< by scene: how often its meshes are cut in four
     std::filesystem::path plot{};            ///< where a figure goes; empty: nowhere
     bool measures = false;                   ///< times frames on this machine, too
+    Device device = defaultDevice();
 
     bool wants(int number) const { return !table || *table == number; }
 };
@@ -45,7 +47,7 @@ int reproduceUsta2019(const ReproduceOptions& options);
 /// The scenes that were given, or those with these @p ids.
 std::vector<Scene> scenesOf(const ReproduceOptions& options, const std::vector<std::string>& ids);
 
-/// How the machine's figures were measured: "llvmpipe, thread CPU time".
-std::string measuredOn();
+/// How the machine's figures are measured on a device: the driver, and whose time is taken.
+std::string measuredOn(Device device);
 
 }  // namespace gnomon

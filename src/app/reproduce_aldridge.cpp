@@ -49,7 +49,7 @@ int reproduceAldridge(const ReproduceOptions& options) {
                     .width = size.width,
                     .height = size.height,
                     .repeats = options.repeats.value_or(5),
-                    .device = measuredOn(),
+                    .device = measuredOn(options.device),
                     .rows = aldridgeSection4()};
     const auto polygonsOf = [](const VolumeCount& count) { return count.polygons(); };
     std::vector<TimedWay> ways;
@@ -62,6 +62,7 @@ int reproduceAldridge(const ReproduceOptions& options) {
         ways.push_back({ideal, axes});
     }
     Lab lab(std::move(scene));
+    lab.drawOn(options.device);
     const auto times = lab.frameTimes(ways, size.width, size.height, 0, run.repeats);
     for (std::size_t i = 0; i < ways.size(); ++i)
         for (const FrameTime& time : times[i]) run.rows[i].frameMs.push_back(time.total());

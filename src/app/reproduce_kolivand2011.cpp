@@ -23,7 +23,7 @@ int reproduceKolivand2011(const ReproduceOptions& options) {
                     .height = size.height,
                     .frames = int(scene.frames.size()),
                     .repeats = options.repeats.value_or(9),
-                    .device = measuredOn(),
+                    .device = measuredOn(options.device),
                     .rows = kolivandTable1()};
     std::vector<TimedWay> ways;
     for (KolivandRow& row : run.rows) {
@@ -32,6 +32,7 @@ int reproduceKolivand2011(const ReproduceOptions& options) {
         row.totalMs.resize(std::size_t(run.repeats));
     }
     Lab lab(std::move(scene));
+    lab.drawOn(options.device);
     for (int frame = 0; frame < run.frames; ++frame) {
         const auto times = lab.frameTimes(ways, size.width, size.height, frame, run.repeats);
         for (std::size_t way = 0; way < ways.size(); ++way)

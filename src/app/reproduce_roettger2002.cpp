@@ -15,11 +15,12 @@ namespace gnomon {
 namespace {
 
 /// Table 1, counted at the capability layer and in the plan.
-std::vector<Comparison> countedTable1() {
+std::vector<Comparison> countedTable1(Device device) {
     ProfileOption profiles;
     const Profile ideal = profiles.load({"ideal"}).front();
     SceneOption scenes;
     Lab lab(scenes.load({"roettger"}).front());
+    lab.drawOn(device);
     const Size size{};
     std::vector<Comparison> rows = roettgerTable1();
     for (Comparison& row : rows) {
@@ -48,10 +49,12 @@ std::vector<Table2Cell> modelledCells(const Profile& profile) {
 }
 
 /// By cell: the time on this machine, over that of the frame without shadows in the same round; the median.
-std::vector<double> measuredTable2(const Profile& profile, const std::vector<Table2Cell>& cells) {
+std::vector<double> measuredTable2(const Profile& profile, const std::vector<Table2Cell>& cells,
+                                   Device device) {
     constexpr int kRounds = 5;
     SceneOption scenes;
     Lab lab(scenes.load({"roettger"}).front());
+    lab.drawOn(device);
     std::vector<double> ratiosOfCells;
     for (const int size : {256, 512, 1024}) {
         std::vector<TimedWay> ways;
@@ -69,11 +72,11 @@ std::vector<double> measuredTable2(const Profile& profile, const std::vector<Tab
     return ratiosOfCells;
 }
 
-Table2 modelledTable2(bool measures) {
+Table2 modelledTable2(bool measures, Device device) {
     ProfileOption profiles;
     const Profile profile = profiles.load({"geforce2mx"}).front();
     Table2 table{.cells = modelledCells(profile), .rates = modelRates(profile)};
-    if (measures) table.measured = measuredTable2(profile, table.cells);
+    if (measures) table.measured = measuredTable2(profile, table.cells, device);
     return table;
 }
 
@@ -84,8 +87,8 @@ int reproduceRoettger2002(const ReproduceOptions& options) {
         throw UsageError("--format: tables 1 and 2 have different columns; choose one by --table");
     std::optional<std::vector<Comparison>> table1;
     std::optional<Table2> table2;
-    if (options.wants(1)) table1 = countedTable1();
-    if (options.wants(2)) table2 = modelledTable2(options.measures);
+    if (options.wants(1)) table1 = countedTable1(options.device);
+    if (options.wants(2)) table2 = modelledTable2(options.measures, options.device);
     fmt::print("{}", showRoettger2002(table1, table2, options.format));
     if (!table1) return 0;
     const bool allAgree =

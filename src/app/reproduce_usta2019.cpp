@@ -33,7 +33,7 @@ std::vector<double> maskMs(const std::vector<FrameTime>& times) {
     return ms;
 }
 
-UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run) {
+UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run, Device device) {
     UstaScene out{.scene = scene.id, .triangles = triangleCount(scene)};
     std::vector<TimedWay> ways;
     for (const Method& method : methods()) {
@@ -45,6 +45,7 @@ UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run) {
                         .shaderVolumes = method.byShader && axes.count != Count::AtomicZp});
     }
     Lab lab(std::move(scene));
+    lab.drawOn(device);
     for (int frame = 0; frame < run.frames; ++frame) {
         const auto times = lab.frameTimes(ways, run.width, run.height, frame, run.repeats, true);
         for (std::size_t i = 0; i < ways.size(); ++i) {
@@ -74,7 +75,7 @@ int reproduceUsta2019(const ReproduceOptions& options) {
                 .height = size.height,
                 .frames = options.frames.value_or(12),
                 .repeats = options.repeats.value_or(10),
-                .device = measuredOn()};
+                .device = measuredOn(options.device)};
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         Scene& scene = scenes[i];
         if (scene.lights.empty()) throw UsageError(fmt::format("{}: no light", scene.id));
@@ -82,7 +83,7 @@ int reproduceUsta2019(const ReproduceOptions& options) {
         scene.frames = cameraPath(scene, run.frames);
         if (!options.subdivide.empty())
             for (Object& object : scene.objects) object.mesh = subdivided(object.mesh, options.subdivide[i]);
-        run.scenes.push_back(measured(std::move(scene), ideal, run));
+        run.scenes.push_back(measured(std::move(scene), ideal, run, options.device));
     }
     fmt::print("{}", showUsta(run, options.format));
     if (!options.plot.empty()) savePlots(ustaPlots(run), options.plot);

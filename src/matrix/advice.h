@@ -33,7 +33,7 @@ struct AdviceRow {
 struct Advice {
     std::string profile{}, scene{};
     int width = 0, height = 0, frame = 0;
-    std::string fidelity = "gl";
+    std::string fidelity = "gl", device = "osmesa";
     std::vector<std::string> rates{};     ///< modelRates() of the chip
     std::vector<AdviceRow> rows{};        ///< as ranked() has them
     std::optional<std::size_t> chosen{};  ///< the cheapest exact row; of proved ones if there are any

@@ -24,7 +24,7 @@ Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame
                 lab.wrongPixels(profile, row.minimal, width, height, frame) == 0)
                 row.proof = "exact arithmetic has every untied pixel as ray tracing has it";
         }
-        advice.fidelity = row.cell.fidelity;
+        advice.fidelity = row.cell.fidelity, advice.device = row.cell.device;
         advice.rows.push_back(std::move(row));
     }
     lab.simulate(before);

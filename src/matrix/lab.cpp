@@ -77,6 +77,7 @@ struct Lab::Impl {
 
     Scene scene;
     FidelityChoice fidelity{};
+    Device device = defaultDevice();
     std::optional<Effects> effects{};
     std::optional<NeedsFinder> needsFinder{};
     std::optional<SilhouetteFinder> finder{};
@@ -216,7 +217,7 @@ struct Lab::Impl {
                      });
         chip.everywhere = emulatesEverywhere();
         auto& context = contexts[{format, chip, key.width, key.height}];
-        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip);
+        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip, device);
         return *context;
     }
 
@@ -576,7 +577,7 @@ struct Lab::Impl {
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
-        cell.cpuMs = rendered.cpuMs;
+        cell.cpuMs = rendered.cpuMs, cell.clock = name(clockOf(surface));
         const Judgement judgement =
             lights() == 0 ? unmasked(pictures) : judged(cell, profile, drawing, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
@@ -666,6 +667,13 @@ const Scene& Lab::scene() const {
 
 void Lab::use(const FidelityChoice& choice) {
     m_impl->fidelity = choice;
+}
+
+void Lab::drawOn(Device device) {
+    Impl& m = *m_impl;
+    if (m.device == device) return;
+    m.device = device;
+    m.contexts.clear(), m.results.clear(), m.unshadowed.clear();
 }
 
 void Lab::simulate(const std::optional<Effects>& effects) {
@@ -790,7 +798,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
     cell.width = width, cell.height = height, cell.frame = frame;
     cell.pixels = width * height;
     cell.lights = m_impl->lights();
-    cell.fidelity = name(m_impl->fidelity.fidelity);
+    cell.fidelity = name(m_impl->fidelity.fidelity), cell.device = name(m_impl->device);
     cell.effects = m_impl->effects.value_or(Effects::all());
     try {
         const Plan plan = m_impl->planOf(profile, axes);

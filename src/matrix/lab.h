@@ -50,6 +50,9 @@ class Lab {
     /// Whose arithmetic cells are drawn with from now on; at first OpenGL's.
     void use(const FidelityChoice& choice);
 
+    /// What cells are drawn on from now on; at first the default device.
+    void drawOn(Device device);
+
     /// What cells are drawn with from now on, besides what their frames call for. Without a choice, as at
     /// first, named methods are drawn as they are published, with everything, and automatic ones with what
     /// their frames call for.

@@ -8,6 +8,7 @@
 
 #include "matrix/cell_json.h"
 #include "report/cost_notes.h"
+#include "report/device_listing.h"
 #include "report/gl_listing.h"
 #include "report/plan_json.h"
 #include "report/table.h"
@@ -183,9 +184,10 @@ std::string choiceText(const Advice& advice) {
 }
 
 std::string adviceText(const Advice& advice) {
-    std::string text = fmt::format("{} on {} at {}x{}, frame {}{}\n\n", advice.scene, advice.profile,
+    std::string text = fmt::format("{} on {} at {}x{}, frame {}{}{}\n\n", advice.scene, advice.profile,
                                    advice.width, advice.height, advice.frame,
-                                   advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "");
+                                   advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "",
+                                   deviceText(advice.device));
     text += tableText(advice);
     text += undrawnText("Refused for want of", advice, Verdict::Refused);
     text += undrawnText("Failed", advice, Verdict::Failed);
@@ -257,6 +259,7 @@ Json adviceJson(const Advice& advice) {
             {"frame", advice.frame},
             {"fidelity", advice.fidelity},
             {"rates", advice.rates},
+            {"device", advice.device},
             {"chosen", chosen ? Json(chosen->method) : Json()},
             {"next_cheaper", shortJson(advice.nextCheaper())},
             {"cheaper_unproved", unproved},
@@ -266,16 +269,14 @@ Json adviceJson(const Advice& advice) {
 }
 
 std::string adviceCsv(const Advice& advice) {
-    std::string text = csvLine({"profile",       "scene",          "width",
-                                "height",        "frame",          "fidelity",
-                                "method",        "drawn_as",       "chosen",
-                                "verdict",       "proof",          "missing",
-                                "causes",        "wrong_edge",     "wrong_interior",
-                                "passes_scene",  "passes_volume",  "passes_rectangle",
-                                "passes_copy",   "vertices",       "touched_clear",
-                                "touched_scene", "touched_volume", "touched_rectangle",
-                                "touched_copy",  "touched",        "full_vertices",
-                                "full_touched",  "model_ms",       "model_limit"});
+    std::string text =
+        csvLine({"profile",        "scene",         "width",         "height",           "frame",
+                 "fidelity",       "device",        "method",        "drawn_as",         "chosen",
+                 "verdict",        "proof",         "missing",       "causes",           "wrong_edge",
+                 "wrong_interior", "passes_scene",  "passes_volume", "passes_rectangle", "passes_copy",
+                 "vertices",       "touched_clear", "touched_scene", "touched_volume",   "touched_rectangle",
+                 "touched_copy",   "touched",       "full_vertices", "full_touched",     "model_ms",
+                 "model_limit"});
     for (std::size_t i = 0; i < advice.rows.size(); ++i) {
         const AdviceRow& row = advice.rows[i];
         const PassCounts passes = countPasses(row.minimal.plan);
@@ -291,6 +292,7 @@ std::string adviceCsv(const Advice& advice) {
                          number(advice.height),
                          number(advice.frame),
                          advice.fidelity,
+                         advice.device,
                          row.method,
                          methodId(row.minimal.axes),
                          advice.chosen == i ? "true" : "false",

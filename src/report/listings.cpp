@@ -15,23 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows under a head, in any format; JSON objects take the head's words as keys.
-std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
-    if (format == Format::Text) return alignColumns(rows);
-    if (format == Format::Csv) {
-        std::string text;
-        for (const auto& row : rows) text += csvLine(row);
-        return text;
-    }
-    Json all = Json::array();
-    for (std::size_t r = 1; r < rows.size(); ++r) {
-        Json object;
-        for (std::size_t i = 0; i < rows[r].size(); ++i) object[rows[0][i]] = rows[r][i];
-        all.push_back(object);
-    }
-    return all.dump(2) + "\n";
-}
-
 std::string formatsOf(const Profile& p) {
     std::vector<std::string> names;
     for (const ColourFormat& f : p.colourFormats) names.push_back(f.name);
@@ -293,6 +276,22 @@ std::string scenesJson(const std::vector<Scene>& scenes) {
 }
 
 }  // namespace
+
+std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
+    if (format == Format::Text) return alignColumns(rows);
+    if (format == Format::Csv) {
+        std::string text;
+        for (const auto& row : rows) text += csvLine(row);
+        return text;
+    }
+    Json all = Json::array();
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        Json object;
+        for (std::size_t i = 0; i < rows[r].size(); ++i) object[rows[0][i]] = rows[r][i];
+        all.push_back(object);
+    }
+    return all.dump(2) + "\n";
+}
 
 std::string kindName(PassKind kind) {
     switch (kind) {

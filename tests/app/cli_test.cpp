@@ -31,7 +31,7 @@ const std::filesystem::path kShared = GNOMON_SHARED;
 class Program : public ProgramTest {};
 
 constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "advise", "reproduce", "prove",
-                                     "profiles", "methods", "scenes", "mesh",   "cost"};
+                                     "profiles", "methods", "scenes", "mesh",   "cost",      "devices"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
     const Outcome help = run({"--help"});
@@ -64,6 +64,27 @@ TEST_F(Program, HasEveryFlagOfTheDesign) {
     for (const char* flag : {"--frames", "--jobs", "--fidelity"}) EXPECT_THAT(matrix, HasSubstr(flag));
     for (const char* flag : {"-o,", "--mask ", "--steps", "--fidelity"}) EXPECT_THAT(render, HasSubstr(flag));
     EXPECT_THAT(run({"reproduce", "--help"}).out, AllOf(HasSubstr("--table"), HasSubstr("roettger2002")));
+}
+
+// libglvnd finds its drivers by files; where there are none, EGL has nothing to draw with.
+TEST_F(Program, RefusesADeviceWithoutADriverBeforeItDraws) {
+    setenv("__EGL_VENDOR_LIBRARY_FILENAMES", "/no/such/file.json", 1);
+    const std::vector<Outcome> refused{run({"render", "boxes", "--device", "egl"}),
+                                       run({"matrix", "boxes", "--device", "egl"}),
+                                       run({"advise", "boxes", "--device", "egl"})};
+    unsetenv("__EGL_VENDOR_LIBRARY_FILENAMES");
+    for (const Outcome& outcome : refused) expectRefused(outcome, "--device egl: ");
+}
+
+TEST_F(Program, NamesTheDefaultDeviceAndTheDriversOfAll) {
+    const Json devices = Json::parse(run({"devices", "--format", "json"}).out);
+    ASSERT_EQ(devices.size(), 2u);
+    EXPECT_EQ(devices[0]["device"], "osmesa");
+    EXPECT_EQ(devices[1]["device"], "egl");
+    EXPECT_EQ((devices[0]["default"] == "yes") + (devices[1]["default"] == "yes"), 1);
+    for (const Json& device : devices)
+        EXPECT_THAT(device["driver"].get<std::string>(),
+                    testing::AnyOf(HasSubstr(", OpenGL "), HasSubstr("none: ")));
 }
 
 TEST_F(Program, ListsEveryNamedMethod) {
@@ -155,6 +176,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"Fidelity", {"matrix", "--fidelity", "console"}, "no such value 'console'"},
         BadArguments{"TwoFidelitiesToRender", {"render", "--fidelity", "gl,chip"}, "--fidelity"},
         BadArguments{"DitherOfOpenGl", {"render", "--dither", "on"}, "fidelity chip"},
+        BadArguments{"NoSuchDevice", {"matrix", "--device", "glx"}, "--device: no such value 'glx' (known: "},
         BadArguments{"BlendUnitOfOpenGl", {"render", "--blend-unit", "ideal_round"}, "fidelity chip"},
         BadArguments{"BlendUnit", {"render", "--fidelity", "chip", "--blend-unit", "fast"}, "'fast'"},
         BadArguments{"BlendUnitOfAnotherChip",

@@ -10,6 +10,7 @@
 
 #include "fake_driver.h"
 #include "gl/renderer.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -140,7 +141,7 @@ TEST(Counter, BeginsAnewAfterAReset) {
 /// What is counted of one frame of the two boxes on the chip without limits.
 PassCounts countedOf(const Axes& axes) {
     static const Profile ideal = chip("ideal");
-    static Surface surface(bufferFormatOf(ideal), 21, 13, arithmeticOf(ideal, {}));
+    static TestSurface surface(bufferFormatOf(ideal), 21, 13, arithmeticOf(ideal, {}));
     static const Frame frame = frameOf(twoBoxes(), 21, 13);
     const Plan plan = planFrame(axes, shapeOf(int(frame.volumes().size()), 21, 13), ideal);
     return render(surface, ideal, plan, frame.surfaces, frame.lights()).counts.passes;

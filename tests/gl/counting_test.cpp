@@ -10,6 +10,7 @@
 #include "gl/capability.h"
 #include "gl/renderer.h"
 #include "method/shader_volumes.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -45,7 +46,7 @@ class Studio {
 
   private:
     Profile m_profile;
-    Surface m_surface;
+    TestSurface m_surface;
     Frame m_frame;
 };
 
@@ -366,7 +367,7 @@ TEST(TwoLights, DrawWhatEachWouldAlone) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     shape.lights[1].directional = true;
@@ -395,7 +396,7 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {

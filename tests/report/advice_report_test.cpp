@@ -256,8 +256,9 @@ TEST(AdviceCsv, IsALineForEachMethodUnderAHead) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     ASSERT_EQ(lines.size(), 7u);
-    EXPECT_THAT(lines[0],
-                HasSubstr("profile,scene,width,height,frame,fidelity,method,drawn_as,chosen,verdict,"));
+    EXPECT_THAT(
+        lines[0],
+        HasSubstr("profile,scene,width,height,frame,fidelity,device,method,drawn_as,chosen,verdict,"));
     EXPECT_EQ(
         lines[2],
         "voodoo2,\"models/a, \"\"b\"\".ply\",320,240,3,gl,roettger-screen,roettger-screen,true,exact,"

@@ -1,0 +1,35 @@
+// The devices as text, and in titles.
+
+#include "report/device_listing.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+using testing::HasSubstr;
+
+TEST(DeviceListing, SaysWhatDrawsAndWhoseTimeIsTakenOrWhyNothingDraws) {
+    const DriverFacts gpu{.device = Device::Egl, .driver = "GeForce, OpenGL 4.6", .clock = DrawClock::Gpu};
+    const std::string text = listDevices({gpu}, Format::Text);
+    EXPECT_THAT(text, HasSubstr("gpu    GeForce, OpenGL 4.6"));
+    const std::string none =
+        listDevices({{.device = Device::Egl, .problem = "this gnomon was built without EGL"}}, Format::Text);
+    EXPECT_THAT(none, HasSubstr("-      none: this gnomon was built without EGL"));
+}
+
+TEST(DeviceListing, MarksTheDefault) {
+    for (int i = 0; i < kDevices; ++i) {
+        const std::string text = listDevices({{.device = Device(i)}}, Format::Csv);
+        EXPECT_THAT(text, HasSubstr(Device(i) == defaultDevice() ? ",yes," : ",no,"));
+    }
+}
+
+TEST(DeviceText, IsNothingForOsmesa) {
+    EXPECT_EQ(deviceText("osmesa"), "");
+    EXPECT_EQ(deviceText("egl"), ", on EGL");
+}
+
+}  // namespace
+}  // namespace gnomon
