@@ -240,7 +240,7 @@ TEST(Steps, AreReportedOncePerPassInOrder) {
     std::vector<std::size_t> seen, foreseen(plan.passes.size());
     for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = i;
     render(surface, ideal, plan, frame.surfaces, frame.lights(),
-           [&](std::size_t pass) { seen.push_back(pass); });
+           {.afterPass = [&](std::size_t pass) { seen.push_back(pass); }});
     EXPECT_EQ(seen, foreseen);
 }
 
