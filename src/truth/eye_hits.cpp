@@ -102,7 +102,7 @@ const std::vector<Hit>& EyeHits::find(const EyeRay& ray) {
     return m_hits;
 }
 
-std::optional<Surface> EyeHits::nearest(const EyeRay& ray) const {
+std::optional<SeenSurface> EyeHits::nearest(const EyeRay& ray) const {
     const auto isBefore = [&](const Hit& a, const Hit& b) {
         if (a.t.high < b.t.low) return true;
         if (b.t.high < a.t.low) return false;

@@ -24,7 +24,7 @@ class EyeHits {
     const std::vector<Hit>& find(const EyeRay& ray);
 
     /// The first of the hits just found; of equally distant ones that with the lowest index.
-    std::optional<Surface> nearest(const EyeRay& ray) const;
+    std::optional<SeenSurface> nearest(const EyeRay& ray) const;
 
   private:
     bool isNarrow(const EyeRay& ray) const;

@@ -26,13 +26,13 @@ struct Hit {
 };
 
 /// What the eye ray of one pixel meets first.
-struct Surface {
+struct SeenSurface {
     std::uint32_t triangle = 0;
     bool facesAway = false;  ///< its seen side, from the light
 };
 
 /// The answer for a pixel; without a surface there is no shadow.
-inline Shadow shadowOf(const std::optional<Surface>& surface, bool blocked) {
+inline Shadow shadowOf(const std::optional<SeenSurface>& surface, bool blocked) {
     if (!surface) return Shadow::Background;
     return surface->facesAway || blocked ? Shadow::InShadow : Shadow::Lit;
 }
@@ -58,9 +58,11 @@ struct FrameRays {
     /// One quantum of depth at distance @p t.
     double quantumAt(double t) const { return ties.quantumAt(windowDepth(view, t)) * t * t / view.nearPlane; }
 
-    const LitTriangle& triangle(const Surface& surface) const { return world.triangles[surface.triangle]; }
+    const LitTriangle& triangle(const SeenSurface& surface) const {
+        return world.triangles[surface.triangle];
+    }
 
-    Surface surfaceOf(std::uint32_t index, const EyeRay& ray) const {
+    SeenSurface surfaceOf(std::uint32_t index, const EyeRay& ray) const {
         const LitTriangle& t = world.triangles[index];
         const glm::dvec3 a = t.corners[0], b = t.corners[1], c = t.corners[2];
         return {index, t.edgeOn || orientation(a, b, c, ray.eye) < 0};

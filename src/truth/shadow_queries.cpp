@@ -21,7 +21,7 @@ void ShadowQueries::answer(std::span<const Visible> points, std::span<Answered> 
 
 ShadowQueries::Answered ShadowQueries::at(const Visible& visible) {
     const Hit& hit = visible.hit;
-    const Surface& surface = visible.surface;
+    const SeenSurface& surface = visible.surface;
     const RayPoint& point = visible.point;
     if (surface.facesAway) return {.blocked = isBlocked(point, surface)};
 
@@ -72,7 +72,7 @@ Answer ShadowQueries::isBlockedAround(const RayPoint& point, std::uint32_t own, 
     return blocked;
 }
 
-bool ShadowQueries::changesWithDepth(const Surface& surface, const RayPoint& point, bool blocked) {
+bool ShadowQueries::changesWithDepth(const SeenSurface& surface, const RayPoint& point, bool blocked) {
     if (surface.facesAway) return false;
     const double quantum = m_rays.quantumAt(point.t());
     for (const double shift : {-std::min(quantum, point.t() - m_rays.view.nearPlane), quantum}) {

@@ -12,7 +12,7 @@ namespace gnomon {
 struct Visible {
     double x = 0, y = 0;  ///< of the window
     Hit hit{};
-    Surface surface{};
+    SeenSurface surface{};
     RayPoint point;
 };
 
@@ -36,14 +36,14 @@ class ShadowQueries {
     bool isBlocked(const RayPoint& point, std::uint32_t own);
 
     /// Whether a caster lies just in front of the surface.
-    bool isBlocked(const RayPoint& point, const Surface& surface) {
+    bool isBlocked(const RayPoint& point, const SeenSurface& surface) {
         // On the other side of it than the light: it itself.
         return (surface.facesAway && m_rays.triangle(surface).casts) || isBlocked(point, surface.triangle);
     }
 
     /// Whether the answer changes when the point moves by one quantum of depth towards the eye, or away from
     /// it with its own triangle left out.
-    bool changesWithDepth(const Surface& surface, const RayPoint& point, bool blocked);
+    bool changesWithDepth(const SeenSurface& surface, const RayPoint& point, bool blocked);
 
     /// Queries so far.
     std::uint64_t asked() const { return m_asked; }

@@ -48,7 +48,7 @@ class Tracer::Frame {
             const EyeHits::Quick quick = m_hits.quick(ray);
             pixels[i] = quick.isSure ? Pixel{} : traceExactly(ray, x, y);
             if (!quick.isSure || !quick.hit) continue;
-            const Surface surface = m_rays.surfaceOf(quick.hit->triangle, ray);
+            const SeenSurface surface = m_rays.surfaceOf(quick.hit->triangle, ray);
             m_visible.push_back({x, y, *quick.hit, surface, RayPoint(ray, m_rays.triangle(surface))});
             m_pixels.push_back(i);
         }
@@ -70,7 +70,7 @@ class Tracer::Frame {
         Pixel pixel;
         std::optional<RayPoint> point;
         const std::vector<Hit>& hits = m_hits.find(ray);
-        const std::optional<Surface> surface = m_hits.nearest(ray);
+        const std::optional<SeenSurface> surface = m_hits.nearest(ray);
         if (surface) {
             point.emplace(ray, m_rays.triangle(*surface));
             pixel.blocked = m_shadows.isBlocked(*point, *surface);
@@ -91,17 +91,17 @@ class Tracer::Frame {
     }
 
     /// Whether a surface within one quantum behind the visible one has another answer.
-    bool hidesAnother(const std::vector<Hit>& hits, const Surface& surface, const RayPoint& point,
+    bool hidesAnother(const std::vector<Hit>& hits, const SeenSurface& surface, const RayPoint& point,
                       Shadow before) {
         const double limit = point.t() + m_rays.quantumAt(point.t());
         return std::any_of(hits.begin(), hits.end(), [&](const Hit& hit) {
             if (hit.triangle == surface.triangle || hit.t.low > limit) return false;
-            const Surface other = m_rays.surfaceOf(hit.triangle, point.ray());
+            const SeenSurface other = m_rays.surfaceOf(hit.triangle, point.ray());
             return exactAnswer(point.ray(), other) != before;
         });
     }
 
-    Shadow exactAnswer(const EyeRay& ray, const std::optional<Surface>& surface) {
+    Shadow exactAnswer(const EyeRay& ray, const std::optional<SeenSurface>& surface) {
         if (!surface || surface->facesAway) return shadowOf(surface, true);
         return shadowOf(surface,
                         m_shadows.isBlocked(RayPoint(ray, m_rays.triangle(*surface)), surface->triangle));
@@ -121,12 +121,12 @@ class Tracer::Frame {
     /// surface, a rasteriser that rounds the edge there may compare both right at the edge, where their
     /// depths meet, although the pixel's own ray misses them.
     Tie countTieBeside(double x, double y) {
-        std::vector<std::pair<Surface, RayPoint>> seen;
+        std::vector<std::pair<SeenSurface, RayPoint>> seen;
         Beside beside{.centre = {x, y}, .reach = 2 * glm::length(kCorners[0])};
         const auto look = [&](const glm::dvec2& offset) {
             const EyeRay ray = m_rays.at(x + offset.x, y + offset.y);
             m_hits.find(ray);
-            const std::optional<Surface> surface = m_hits.nearest(ray);
+            const std::optional<SeenSurface> surface = m_hits.nearest(ray);
             if (surface) seen.emplace_back(*surface, RayPoint(ray, m_rays.triangle(*surface)));
             const double depth = surface ? windowDepth(m_rays.view, seen.back().second.t()) : 1;
             beside.farthest = std::max(beside.farthest, depth);

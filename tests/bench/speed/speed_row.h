@@ -34,5 +34,7 @@ struct SpeedRow {
 
 // The subjects, one file each; main.cpp runs their rows in this order.
 std::vector<SpeedRow> layerRows();
+std::vector<SpeedRow> truthRows();
+std::vector<SpeedRow> judgeRows();
 
 }  // namespace gnomon
