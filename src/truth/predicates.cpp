@@ -31,8 +31,11 @@ struct Plane {
     Interval at(const glm::dvec3& x, double error, double radius) const {
         const glm::dvec3 d = x - base;
         const double value = glm::dot(normal, d);
-        double slack = kRounding * glm::dot(size, glm::abs(d)) + 1.001 * error * (size.x + size.y + size.z);
-        if (radius > 0) slack += 1.001 * radius * glm::length(size);
+        // The true normal, by which the value rises where the point moves, is this one but for its rounding.
+        const double around = radius > 0 ? radius * glm::length(normal) : 0;
+        const double slack =
+            kRounding * (glm::dot(size, glm::abs(d)) + (error + radius) * (size.x + size.y + size.z)) +
+            1.001 * (around + error * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)));
         return {value - slack, value + slack};
     }
 };
@@ -95,7 +98,8 @@ void RayPoint::place(const Interval& t) {
 
 const Rational& RayPoint::exactT() const {
     if (!m_exact)
-        m_exact = (m_triangle ? *exactPlaneHit(m_ray, *m_triangle) : Rational(0)) + Rational(m_shift);
+        m_exact = std::make_unique<Rational>((m_triangle ? *exactPlaneHit(m_ray, *m_triangle) : Rational(0)) +
+                                             Rational(m_shift));
     return *m_exact;
 }
 

@@ -3,6 +3,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 
 namespace gnomon {
@@ -49,7 +50,7 @@ class RayPoint {
     const LitTriangle* m_triangle = nullptr;
     double m_shift = 0, m_t = 0, m_error = 0;
     glm::dvec3 m_position{};
-    mutable std::optional<Rational> m_exact{};
+    mutable std::unique_ptr<Rational> m_exact{};
 };
 
 /// Sign of (p - eye) x (q - eye) . direction: on which side of the edge from p to q the ray passes. Never 0:
