@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 
 #include "gl/table.h"
 #include "plan/plan.h"
@@ -34,7 +33,7 @@ class Counter {
     struct State {
         Kind run = Kind::None;  ///< kind of the run that goes on; None after a state call
         bool depthWrite = true;
-        std::set<GLenum> arrays{};  ///< that give fragments colours: of colours or texture coordinates
+        bool colours = false, coordinates = false;  ///< arrays of these give fragments their colours
         GLint size = 4;
         const void* positions = nullptr;
     };
