@@ -27,7 +27,7 @@ namespace {
 
 std::vector<SpeedRow> subjects() {
     std::vector<SpeedRow> rows;
-    for (const auto& subject : {layerRows})
+    for (const auto& subject : {maskPassRows, halfRows, layerRows})
         for (SpeedRow& row : subject()) rows.push_back(std::move(row));
     return rows;
 }

@@ -33,6 +33,8 @@ struct SpeedRow {
 };
 
 // The subjects, one file each; main.cpp runs their rows in this order.
+std::vector<SpeedRow> maskPassRows();
+std::vector<SpeedRow> halfRows();
 std::vector<SpeedRow> layerRows();
 
 }  // namespace gnomon
