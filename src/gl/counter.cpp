@@ -85,9 +85,13 @@ GlTable Counter::count(GlTable next) {
         turn(array, false);
         driver->DisableClientState(array);
     };
+    gl.BindBuffer = [=](GLenum target, GLuint buffer) {
+        if (target == GL_ARRAY_BUFFER) state->inBuffer = buffer != 0;
+        driver->BindBuffer(target, buffer);
+    };
     gl.VertexPointer = [=](GLint size, GLenum type, GLsizei stride, const void* pointer) {
         state->size = size;
-        state->positions = type == GL_FLOAT && stride == 0 ? pointer : nullptr;
+        state->positions = type == GL_FLOAT && stride == 0 && !state->inBuffer ? pointer : nullptr;
         driver->VertexPointer(size, type, stride, pointer);
     };
     gl.DrawArrays = [=](GLenum mode, GLint first, GLsizei vertices) {

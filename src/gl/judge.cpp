@@ -35,6 +35,15 @@ BlendFactor inAlphaChannel(BlendFactor factor) {
     }
 }
 
+/// All factors that mean one of @p allowed in the alpha channel.
+std::set<BlendFactor> inAlphaChannel(const std::set<BlendFactor>& allowed) {
+    std::set<BlendFactor> all = allowed;
+    for (const BlendFactor colour : {BlendFactor::SrcColor, BlendFactor::OneMinusSrcColor,
+                                     BlendFactor::DstColor, BlendFactor::OneMinusDstColor})
+        if (allowed.contains(inAlphaChannel(colour))) all.insert(colour);
+    return all;
+}
+
 template <class Word>
 unsigned bitsOf(const std::set<Word>& words) {
     unsigned bits = 0;
@@ -55,23 +64,26 @@ Judge::Judge(const Profile& profile, const BufferFormat& buffers)
       m_depthFunctions(bitsOf(p.depthFunctions)),
       m_alphaFunctions(bitsOf(p.alphaFunctions)),
       m_equations(bitsOf(p.blendEquations)) {
-    const auto inAlpha = [](const std::set<BlendFactor>& factors, BlendFactor f) {
-        return factors.contains(f) || factors.contains(inAlphaChannel(f));
-    };
-    for (std::size_t s = 0; s < kFactors; ++s) {
-        for (std::size_t d = 0; d < kFactors; ++d) {
-            const auto source = BlendFactor(s), destination = BlendFactor(d);
-            m_pairs[s][d] = {.colour = p.allowsBlend(source, destination),
-                             .constantColour = p.allowsBlendWithConstantSource(source, destination),
-                             .alpha = p.blendWritesAlpha && inAlpha(p.alphaSourceFactors, source) &&
-                                      inAlpha(p.alphaDestinationFactors, destination)};
-        }
-    }
+    m_colour.add(p.sourceFactors, p.destinationFactors);
+    m_colour.add(p.blendPairs);
+    m_constantColour = m_colour;
+    m_constantColour.add(p.constantSourcePairs);
+    if (p.blendWritesAlpha)
+        m_alpha.add(inAlphaChannel(p.alphaSourceFactors), inAlphaChannel(p.alphaDestinationFactors));
     m_constants = std::any_of(p.sourceFactors.begin(), p.sourceFactors.end(), isConstant) ||
                   std::any_of(p.destinationFactors.begin(), p.destinationFactors.end(), isConstant) ||
                   std::any_of(p.blendPairs.begin(), p.blendPairs.end(), [](const BlendPair& pair) {
                       return isConstant(pair.first) || isConstant(pair.second);
                   });
+}
+
+void Judge::Pairs::add(const std::set<BlendFactor>& sources, const std::set<BlendFactor>& destinationsOfAll) {
+    for (const BlendFactor source : sources) destinations[std::size_t(source)] |= bitsOf(destinationsOfAll);
+}
+
+void Judge::Pairs::add(const std::set<BlendPair>& pairs) {
+    for (const auto& [source, destination] : pairs)
+        destinations[std::size_t(source)] |= 1u << unsigned(destination);
 }
 
 void Judge::refuse(const char* call, const std::string& argument, const char* capability) const {
@@ -125,9 +137,8 @@ void Judge::alphaFunction(GLenum function) const {
 void Judge::blendPair(const char* call, GLenum source, GLenum destination) const {
     const auto s = blendFactorOf(source), d = blendFactorOf(destination);
     if (!s || !d) return;
-    const PairUse& pair = use(*s, *d);
     need(
-        pair.colour || pair.constantColour || pair.alpha, call,
+        m_constantColour.has(*s, *d) || m_alpha.has(*s, *d), call,
         [&] { return fmt::format("{}, {}", enumName(source), enumName(destination)); }, blendKey());
 }
 
@@ -188,22 +199,20 @@ void Judge::draw(const char* call, const DrawState& s) const {
     };
     if (readsDestinationAlpha(s.source) || readsDestinationAlpha(s.destination)) alphaPlanes(call, pair);
     if (colour) {
-        const PairUse& allowed = use(*blendFactorOf(s.source), *blendFactorOf(s.destination));
+        const BlendFactor source = *blendFactorOf(s.source), destination = *blendFactorOf(s.destination);
+        const bool byConstant = m_constantColour.has(source, destination);
         const bool constantGrey = !s.colourArray && !s.texture && !s.program && s.colour.r == s.colour.g &&
                                   s.colour.g == s.colour.b;
         need(
-            allowed.colour || (allowed.constantColour && constantGrey), call,
-            [&] {
-                return fmt::format("{}{}", pair(),
-                                   allowed.constantColour ? " with a varying source colour" : "");
-            },
+            m_colour.has(source, destination) || (byConstant && constantGrey), call,
+            [&] { return fmt::format("{}{}", pair(), byConstant ? " with a varying source colour" : ""); },
             blendKey());
     }
     if (s.alpha) {
         need(p.blendWritesAlpha, call, "blending alpha", "blend_writes_alpha");
         const auto source = blendFactorOf(s.alphaSource), destination = blendFactorOf(s.alphaDestination);
         need(
-            source && destination && use(*source, *destination).alpha, call,
+            source && destination && m_alpha.has(*source, *destination), call,
             [&] { return fmt::format("{} in alpha", pair()); }, "alpha_source_factors");
     }
 }

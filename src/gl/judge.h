@@ -3,6 +3,7 @@
 #include <array>
 #include <glm/glm.hpp>
 #include <initializer_list>
+#include <set>
 #include <string>
 #include <type_traits>
 
@@ -28,10 +29,11 @@ struct DrawState {
 
 /// What a profile allows, asked in OpenGL's enumerants. Every refusal is a thrown CapabilityViolation.
 ///
-/// Asked at each call of a frame: what the profile says in sets and lists is worked out once, and a message
-/// is put together only for a call that is refused.
+/// Asked at each call of a frame, and made for each frame: what the profile says in sets and lists is worked
+/// out as bits, and a message is put together only for a call that is refused.
 class Judge {
   public:
+    /// @pre @p profile outlives the judge
     Judge(const Profile& profile, const BufferFormat& buffers);
 
     /// @param argument  of the call: text, an enumerant, or a function that gives the text
@@ -88,25 +90,26 @@ class Judge {
     /// A draw under the state that the caller has set.
     void draw(const char* call, const DrawState& state) const;
 
-    const Profile p;
+    const Profile& p;
     const BufferFormat b;
 
   private:
     [[noreturn]] void refuse(const char* call, const std::string& argument, const char* capability) const;
     const char* blendKey() const { return p.blendPairs.empty() ? "source_factors" : "blend_pairs"; }
 
-    /// What a pair of blend factors may be used for.
-    struct PairUse {
-        bool colour = false;          ///< any source colour
-        bool constantColour = false;  ///< a source colour that is the same grey all over the draw
-        bool alpha = false;           ///< the alpha channel
+    /// Pairs of blend factors: by source, bit i for the destination i.
+    struct Pairs {
+        std::array<unsigned, std::size_t(BlendFactor::OneMinusConstantAlpha) + 1> destinations{};
+        bool has(BlendFactor source, BlendFactor destination) const {
+            return destinations[std::size_t(source)] >> unsigned(destination) & 1;
+        }
+        void add(const std::set<BlendFactor>& sources, const std::set<BlendFactor>& destinationsOfAll);
+        void add(const std::set<BlendPair>& pairs);
     };
-    static constexpr std::size_t kFactors = std::size_t(BlendFactor::OneMinusConstantAlpha) + 1;
-    const PairUse& use(BlendFactor source, BlendFactor destination) const {
-        return m_pairs[std::size_t(source)][std::size_t(destination)];
-    }
 
-    std::array<std::array<PairUse, kFactors>, kFactors> m_pairs{};
+    Pairs m_colour{};          ///< with any source colour
+    Pairs m_constantColour{};  ///< with a source colour that is the same grey all over the draw
+    Pairs m_alpha{};           ///< in the alpha channel
     unsigned m_depthFunctions = 0, m_alphaFunctions = 0, m_equations = 0;  ///< bit i for the word i
     bool m_constants = false;  ///< some pair has a constant factor
 };

@@ -140,6 +140,7 @@ struct Surface::Impl {
     std::vector<std::uint32_t> buffer{};
     GlTable driver{};
     std::map<std::string, unsigned> programs{};
+    KeptObjects objects{};
 
     ~Impl() {
         if (context) OSMesaDestroyContext(context);
@@ -213,6 +214,9 @@ int Surface::height() const {
 
 std::map<std::string, unsigned>& Surface::programs() {
     return m_impl->programs;
+}
+KeptObjects& Surface::objects() {
+    return m_impl->objects;
 }
 
 void Surface::makeCurrent() {

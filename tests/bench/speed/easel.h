@@ -9,20 +9,25 @@
 
 namespace gnomon {
 
-/// A shipped scene's first frame on one surface, to be drawn again and again by several plans.
+inline Scene shippedScene(const std::string& id) {
+    return loadSceneFile(std::filesystem::path(GNOMON_SOURCE) / "scenes" / (id + ".toml"));
+}
+
+/// A scene's first frame on one surface of the chip that can do all, to be drawn again and again by several
+/// plans.
 class Easel {
   public:
-    Easel(const std::string& scene, const std::string& profile, int side)
-        : m_profile(chip(profile)),
-          m_side(side),
-          m_frame(frameOf(loadSceneFile(std::filesystem::path(GNOMON_SOURCE) / "scenes" / (scene + ".toml")),
-                          side, side)),
-          m_surface(bufferFormatOf(m_profile), side, side) {}
+    Easel(const Scene& scene, int width, int height)
+        : m_profile(chip("ideal")),
+          m_width(width),
+          m_height(height),
+          m_frame(frameOf(scene, width, height)),
+          m_surface(bufferFormatOf(m_profile), width, height) {}
 
     /// The whole plan; its mask is not read.
     Plan plan(const std::string& method) const {
         Plan made = planFrame(findMethod(method)->axes,
-                              shapeOf(int(m_frame.volumes().size()), m_side, m_side), m_profile);
+                              shapeOf(int(m_frame.volumes().size()), m_width, m_height), m_profile);
         made.masks.clear();
         return made;
     }
@@ -32,9 +37,9 @@ class Easel {
     }
 
     /// Thread CPU time of a frame's OpenGL calls, milliseconds; the same frame is drawn first and not timed.
-    double frameMs(const Plan& plan) {
-        draw(plan);
-        return draw(plan).cpuMs;
+    double frameMs(const Plan& plan, const RenderOptions& options = {}) {
+        draw(plan, options);
+        return draw(plan, options).cpuMs;
     }
 
     const Profile& profile() const { return m_profile; }
@@ -43,7 +48,7 @@ class Easel {
 
   private:
     Profile m_profile;
-    int m_side;
+    int m_width, m_height;
     Frame m_frame;
     Surface m_surface;
 };

@@ -10,7 +10,7 @@ namespace {
 
 Round halfMask(Load load) {
     const int side = load == Load::Full ? 1024 : 32;
-    const auto easel = std::make_shared<Easel>("roettger", "ideal", side);
+    const auto easel = std::make_shared<Easel>(shippedScene("roettger"), side, side);
     const Plan full = easel->plan("roettger-screen"), half = easel->plan("roettger-half");
     return [=] {
         Measured times{.ours = easel->frameMs(half), .beside = easel->frameMs(full)};

@@ -2,6 +2,8 @@
 // beside the same triangles as one plain batch: one glDrawArrays on the driver's own entry points under the
 // state of the first of these passes, without culling, so that front and back faces are drawn at once as
 // well.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "bench/speed/easel.h"
@@ -37,9 +39,22 @@ void resetState(const GlTable& gl) {
     for (const GLenum what : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST}) gl.Disable(what);
 }
 
-Round maskPass(const std::string& method, Load load) {
+/// Boxes over a floor, a volume each: 8 by 8.
+Scene manyBoxes() {
+    Scene scene;
+    scene.objects = {placed("floor", gnomon::rectangle({20, 20}), {0, 0, 0}, false)};
+    for (int x = 0; x < 8; ++x)
+        for (int z = 0; z < 8; ++z)
+            scene.objects.push_back(placed("box", box({0.5, 0.4, 0.6}),
+                                           {1.03f * float(x) - 3.6f, 0.81f, 1.07f * float(z) - 3.7f}));
+    scene.lights = {{.position = {1.4f, 7.3f, 2.7f, 1}}};
+    scene.frames = {{.eye = {3.9f, 6.1f, 8.7f}, .target = {0, 0.6f, 0}, .nearPlane = 0.5f}};
+    return scene;
+}
+
+Round maskPass(const Scene& scene, const std::string& method, Load load) {
     const int side = load == Load::Full ? 1024 : 32;
-    const auto easel = std::make_shared<Easel>("roettger", "ideal", side);
+    const auto easel = std::make_shared<Easel>(scene, side, side);
     const Plan plan = easel->plan(method);
     Plan before = plan, volumes = plan;
     before.passes.clear(), volumes.passes.clear();
@@ -76,19 +91,25 @@ Round maskPass(const std::string& method, Load load) {
     };
 }
 
-SpeedRow row(const std::string& store, const std::string& method) {
-    return {.name = "MaskPass/" + store,
-            .what = "volumes into " + store + " over their raw fragments, " + method,
+SpeedRow row(const std::string& store, const std::string& method, const std::string& scene, Scene (*make)()) {
+    return {.name = "MaskPass/" + store + "/" + scene,
+            .what = fmt::format("mask pass into {}, {}, over its raw fragments", store, scene),
             .target = 1.3,
             .unit = "x",
             .sides = "ms",
-            .prepare = [method](Load load) { return maskPass(method, load); }};
+            .prepare = [=](Load load) { return maskPass(make(), method, load); }};
 }
 
 }  // namespace
 
 std::vector<SpeedRow> maskPassRows() {
-    return {row("stencil", "heidmann"), row("alpha", "roettger-alpha"), row("screen", "roettger-screen")};
+    const auto paper = [] { return shippedScene("roettger"); };
+    return {row("stencil", "heidmann", "2 volumes", paper),
+            row("alpha", "roettger-alpha", "2 volumes", paper),
+            row("screen", "roettger-screen", "2 volumes", paper),
+            row("stencil", "heidmann", "64 volumes", manyBoxes),
+            row("alpha", "roettger-alpha", "64 volumes", manyBoxes),
+            row("screen", "roettger-screen", "64 volumes", manyBoxes)};
 }
 
 }  // namespace gnomon
