@@ -46,240 +46,249 @@ class TextureFormats {
     std::set<GLuint> m_alphaOnly{};
 };
 
+/// What the entry points share; they are made for each frame, so each holds on to one thing alone.
+struct Layer {
+    Layer(const Profile& profile, const BufferFormat& buffers, GlTable next)
+        : judge(profile, buffers), driver(std::move(next)) {}
+    const Judge judge;
+    DrawState state{};
+    TextureFormats textures{};
+    const GlTable driver;
+};
+
 }  // namespace
 
 GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable next) {
-    const auto judge = std::make_shared<const Judge>(profile, buffers);
-    const auto state = std::make_shared<DrawState>();
-    const auto textures = std::make_shared<TextureFormats>();
-    const auto driver = std::make_shared<const GlTable>(std::move(next));
-    GlTable gl = *driver;
+    const auto layer = std::make_shared<Layer>(profile, buffers, std::move(next));
+    GlTable gl = layer->driver;
 
     // Frame buffer
     gl.Clear = [=](GLbitfield mask) {
-        if (mask & GL_STENCIL_BUFFER_BIT) judge->stencil("glClear", "GL_STENCIL_BUFFER_BIT");
+        if (mask & GL_STENCIL_BUFFER_BIT) layer->judge.stencil("glClear", "GL_STENCIL_BUFFER_BIT");
         if (mask & GL_DEPTH_BUFFER_BIT)
-            judge->need(judge->p.depth, "glClear", "GL_DEPTH_BUFFER_BIT", "depth_bits");
-        if ((mask & GL_COLOR_BUFFER_BIT) && state->alpha) judge->alphaPlanes("glClear", "writing alpha");
-        driver->Clear(mask);
+            layer->judge.need(layer->judge.p.depth, "glClear", "GL_DEPTH_BUFFER_BIT", "depth_bits");
+        if ((mask & GL_COLOR_BUFFER_BIT) && layer->state.alpha)
+            layer->judge.alphaPlanes("glClear", "writing alpha");
+        layer->driver.Clear(mask);
     };
     gl.ClearStencil = [=](GLint value) {
-        judge->stencil("glClearStencil", [=] { return fmt::format("{}", value); });
-        driver->ClearStencil(value);
+        layer->judge.stencil("glClearStencil", [=] { return fmt::format("{}", value); });
+        layer->driver.ClearStencil(value);
     };
     gl.ColorMask = [=](GLboolean r, GLboolean g, GLboolean b, GLboolean a) {
-        judge->colourMask(r, g, b, a);
-        state->red = r, state->green = g, state->blue = b, state->alpha = a;
-        driver->ColorMask(r, g, b, a);
+        layer->judge.colourMask(r, g, b, a);
+        layer->state.red = r, layer->state.green = g, layer->state.blue = b, layer->state.alpha = a;
+        layer->driver.ColorMask(r, g, b, a);
     };
     gl.Viewport = [=](GLint x, GLint y, GLsizei width, GLsizei height) {
         // A texture that is drawn to has limits of its own.
-        if (!state->toTexture) judge->viewport(x, y, width, height);
-        driver->Viewport(x, y, width, height);
+        if (!layer->state.toTexture) layer->judge.viewport(x, y, width, height);
+        layer->driver.Viewport(x, y, width, height);
     };
 
     // Tests
     gl.Enable = [=](GLenum what) {
-        judge->enable(what);
-        if (what == GL_BLEND) state->blend = true;
-        if (what == GL_COLOR_LOGIC_OP) state->logicOp = true;
-        if (what == GL_TEXTURE_2D) state->texture = true;
-        driver->Enable(what);
+        layer->judge.enable(what);
+        if (what == GL_BLEND) layer->state.blend = true;
+        if (what == GL_COLOR_LOGIC_OP) layer->state.logicOp = true;
+        if (what == GL_TEXTURE_2D) layer->state.texture = true;
+        layer->driver.Enable(what);
     };
     gl.Disable = [=](GLenum what) {
-        if (what == GL_BLEND) state->blend = false;
-        if (what == GL_COLOR_LOGIC_OP) state->logicOp = false;
-        if (what == GL_TEXTURE_2D) state->texture = false;
-        driver->Disable(what);
+        if (what == GL_BLEND) layer->state.blend = false;
+        if (what == GL_COLOR_LOGIC_OP) layer->state.logicOp = false;
+        if (what == GL_TEXTURE_2D) layer->state.texture = false;
+        layer->driver.Disable(what);
     };
     gl.DepthFunc = [=](GLenum function) {
-        judge->depthFunction(function);
-        driver->DepthFunc(function);
+        layer->judge.depthFunction(function);
+        layer->driver.DepthFunc(function);
     };
     gl.DepthMask = [=](GLboolean write) {
-        judge->need(!write || judge->p.depth, "glDepthMask", "GL_TRUE", "depth_bits");
-        driver->DepthMask(write);
+        layer->judge.need(!write || layer->judge.p.depth, "glDepthMask", "GL_TRUE", "depth_bits");
+        layer->driver.DepthMask(write);
     };
     gl.AlphaFunc = [=](GLenum function, GLfloat reference) {
-        judge->alphaFunction(function);
-        driver->AlphaFunc(function, reference);
+        layer->judge.alphaFunction(function);
+        layer->driver.AlphaFunc(function, reference);
     };
     gl.StencilFunc = [=](GLenum function, GLint reference, GLuint mask) {
-        judge->stencil("glStencilFunc", function);
-        driver->StencilFunc(function, reference, mask);
+        layer->judge.stencil("glStencilFunc", function);
+        layer->driver.StencilFunc(function, reference, mask);
     };
     gl.StencilOp = [=](GLenum fail, GLenum depthFail, GLenum pass) {
-        judge->stencil("glStencilOp", pass);
-        judge->stencilOps("glStencilOp", {fail, depthFail, pass});
-        driver->StencilOp(fail, depthFail, pass);
+        layer->judge.stencil("glStencilOp", pass);
+        layer->judge.stencilOps("glStencilOp", {fail, depthFail, pass});
+        layer->driver.StencilOp(fail, depthFail, pass);
     };
     gl.StencilMask = [=](GLuint mask) {
-        judge->stencil("glStencilMask", [=] { return fmt::format("0x{:x}", mask); });
-        driver->StencilMask(mask);
+        layer->judge.stencil("glStencilMask", [=] { return fmt::format("0x{:x}", mask); });
+        layer->driver.StencilMask(mask);
     };
     gl.StencilFuncSeparate = [=](GLenum face, GLenum function, GLint reference, GLuint mask) {
-        judge->oneSide("glStencilFuncSeparate", face);
-        driver->StencilFuncSeparate(face, function, reference, mask);
+        layer->judge.oneSide("glStencilFuncSeparate", face);
+        layer->driver.StencilFuncSeparate(face, function, reference, mask);
     };
     gl.StencilOpSeparate = [=](GLenum face, GLenum fail, GLenum depthFail, GLenum pass) {
-        judge->oneSide("glStencilOpSeparate", face);
-        judge->stencilOps("glStencilOpSeparate", {fail, depthFail, pass});
-        driver->StencilOpSeparate(face, fail, depthFail, pass);
+        layer->judge.oneSide("glStencilOpSeparate", face);
+        layer->judge.stencilOps("glStencilOpSeparate", {fail, depthFail, pass});
+        layer->driver.StencilOpSeparate(face, fail, depthFail, pass);
     };
     gl.StencilMaskSeparate = [=](GLenum face, GLuint mask) {
-        judge->oneSide("glStencilMaskSeparate", face);
-        driver->StencilMaskSeparate(face, mask);
+        layer->judge.oneSide("glStencilMaskSeparate", face);
+        layer->driver.StencilMaskSeparate(face, mask);
     };
 
     // Blending
     gl.BlendFunc = [=](GLenum source, GLenum destination) {
-        judge->blendPair("glBlendFunc", source, destination);
-        state->source = state->alphaSource = source;
-        state->destination = state->alphaDestination = destination;
-        driver->BlendFunc(source, destination);
+        layer->judge.blendPair("glBlendFunc", source, destination);
+        layer->state.source = layer->state.alphaSource = source;
+        layer->state.destination = layer->state.alphaDestination = destination;
+        layer->driver.BlendFunc(source, destination);
     };
     gl.BlendFuncSeparate = [=](GLenum source, GLenum destination, GLenum alphaSource,
                                GLenum alphaDestination) {
         const bool same = source == alphaSource && destination == alphaDestination;
-        judge->need(
-            same || judge->p.separateAlphaFactors, "glBlendFuncSeparate",
+        layer->judge.need(
+            same || layer->judge.p.separateAlphaFactors, "glBlendFuncSeparate",
             [=] {
                 return fmt::format("{}, {}, {}, {}", enumName(source), enumName(destination),
                                    enumName(alphaSource), enumName(alphaDestination));
             },
             "separate_alpha_factors");
-        judge->blendPair("glBlendFuncSeparate", source, destination);
-        state->source = source, state->destination = destination;
-        state->alphaSource = alphaSource, state->alphaDestination = alphaDestination;
-        driver->BlendFuncSeparate(source, destination, alphaSource, alphaDestination);
+        layer->judge.blendPair("glBlendFuncSeparate", source, destination);
+        layer->state.source = source, layer->state.destination = destination;
+        layer->state.alphaSource = alphaSource, layer->state.alphaDestination = alphaDestination;
+        layer->driver.BlendFuncSeparate(source, destination, alphaSource, alphaDestination);
     };
     gl.BlendEquation = [=](GLenum equation) {
-        judge->blendEquation("glBlendEquation", equation);
-        state->equation = equation;
-        driver->BlendEquation(equation);
+        layer->judge.blendEquation("glBlendEquation", equation);
+        layer->state.equation = equation;
+        layer->driver.BlendEquation(equation);
     };
     gl.BlendEquationSeparate = [=](GLenum colour, GLenum alpha) {
-        judge->need(
-            colour == alpha || judge->p.separateAlphaFactors, "glBlendEquationSeparate",
+        layer->judge.need(
+            colour == alpha || layer->judge.p.separateAlphaFactors, "glBlendEquationSeparate",
             [=] { return fmt::format("{}, {}", enumName(colour), enumName(alpha)); },
             "separate_alpha_factors");
-        judge->blendEquation("glBlendEquationSeparate", colour);
-        judge->blendEquation("glBlendEquationSeparate", alpha);
-        state->equation = colour;
-        driver->BlendEquationSeparate(colour, alpha);
+        layer->judge.blendEquation("glBlendEquationSeparate", colour);
+        layer->judge.blendEquation("glBlendEquationSeparate", alpha);
+        layer->state.equation = colour;
+        layer->driver.BlendEquationSeparate(colour, alpha);
     };
     gl.BlendColor = [=](GLfloat r, GLfloat g, GLfloat b, GLfloat a) {
-        judge->blendColour();
-        driver->BlendColor(r, g, b, a);
+        layer->judge.blendColour();
+        layer->driver.BlendColor(r, g, b, a);
     };
     gl.LogicOp = [=](GLenum operation) {
-        judge->need(judge->p.logicOps, "glLogicOp", operation, "logic_ops");
-        driver->LogicOp(operation);
+        layer->judge.need(layer->judge.p.logicOps, "glLogicOp", operation, "logic_ops");
+        layer->driver.LogicOp(operation);
     };
 
     // Geometry
     gl.PolygonOffset = [=](GLfloat factor, GLfloat units) {
-        judge->need(
-            factor == 0 || judge->p.polygonOffsetFactor, "glPolygonOffset",
+        layer->judge.need(
+            factor == 0 || layer->judge.p.polygonOffsetFactor, "glPolygonOffset",
             [=] { return fmt::format("factor {}", factor); }, "polygon_offset_factor");
-        judge->need(
-            units == 0 || judge->p.polygonOffsetUnits, "glPolygonOffset",
+        layer->judge.need(
+            units == 0 || layer->judge.p.polygonOffsetUnits, "glPolygonOffset",
             [=] { return fmt::format("units {}", units); }, "polygon_offset_units");
-        driver->PolygonOffset(factor, units);
+        layer->driver.PolygonOffset(factor, units);
     };
     gl.ClipPlane = [=](GLenum plane, const GLdouble* equation) {
-        judge->need(int(plane - GL_CLIP_PLANE0) < judge->p.clipPlanes, "glClipPlane", plane, "clip_planes");
-        driver->ClipPlane(plane, equation);
+        layer->judge.need(int(plane - GL_CLIP_PLANE0) < layer->judge.p.clipPlanes, "glClipPlane", plane,
+                          "clip_planes");
+        layer->driver.ClipPlane(plane, equation);
     };
     gl.Color4f = [=](GLfloat r, GLfloat g, GLfloat b, GLfloat a) {
-        state->colour = {r, g, b, a};
-        driver->Color4f(r, g, b, a);
+        layer->state.colour = {r, g, b, a};
+        layer->driver.Color4f(r, g, b, a);
     };
     gl.EnableClientState = [=](GLenum array) {
-        if (array == GL_COLOR_ARRAY) state->colourArray = true;
-        driver->EnableClientState(array);
+        if (array == GL_COLOR_ARRAY) layer->state.colourArray = true;
+        layer->driver.EnableClientState(array);
     };
     gl.DisableClientState = [=](GLenum array) {
-        if (array == GL_COLOR_ARRAY) state->colourArray = false;
-        driver->DisableClientState(array);
+        if (array == GL_COLOR_ARRAY) layer->state.colourArray = false;
+        layer->driver.DisableClientState(array);
     };
     gl.DrawArrays = [=](GLenum mode, GLint first, GLsizei count) {
-        judge->draw("glDrawArrays", *state);
-        driver->DrawArrays(mode, first, count);
+        layer->judge.draw("glDrawArrays", layer->state);
+        layer->driver.DrawArrays(mode, first, count);
     };
 
     // Textures
     gl.BindTexture = [=](GLenum target, GLuint texture) {
-        textures->bind(texture);
-        driver->BindTexture(target, texture);
+        layer->textures.bind(texture);
+        layer->driver.BindTexture(target, texture);
     };
     gl.TexImage2D = [=](GLenum target, GLint level, GLint format, GLsizei width, GLsizei height, GLint border,
                         GLenum pixels, GLenum type, const void* data) {
-        if (pixels == GL_DEPTH_COMPONENT) judge->depthTexture("glTexImage2D", "GL_DEPTH_COMPONENT");
-        judge->texture("glTexImage2D", width, height);
-        textures->specified(GLenum(format));
-        driver->TexImage2D(target, level, format, width, height, border, pixels, type, data);
+        if (pixels == GL_DEPTH_COMPONENT) layer->judge.depthTexture("glTexImage2D", "GL_DEPTH_COMPONENT");
+        layer->judge.texture("glTexImage2D", width, height);
+        layer->textures.specified(GLenum(format));
+        layer->driver.TexImage2D(target, level, format, width, height, border, pixels, type, data);
     };
     gl.CopyTexImage2D = [=](GLenum target, GLint level, GLenum format, GLint x, GLint y, GLsizei width,
                             GLsizei height, GLint border) {
-        judge->copy("glCopyTexImage2D", format);
-        if (isDepth(format)) judge->depthTexture("glCopyTexImage2D", format);
-        judge->texture("glCopyTexImage2D", width, height);
-        if (isAlphaOnly(format)) judge->alphaPlanes("glCopyTexImage2D", "alpha");
-        textures->specified(format);
-        driver->CopyTexImage2D(target, level, format, x, y, width, height, border);
+        layer->judge.copy("glCopyTexImage2D", format);
+        if (isDepth(format)) layer->judge.depthTexture("glCopyTexImage2D", format);
+        layer->judge.texture("glCopyTexImage2D", width, height);
+        if (isAlphaOnly(format)) layer->judge.alphaPlanes("glCopyTexImage2D", "alpha");
+        layer->textures.specified(format);
+        layer->driver.CopyTexImage2D(target, level, format, x, y, width, height, border);
     };
     gl.CopyTexSubImage2D = [=](GLenum target, GLint level, GLint s, GLint t, GLint x, GLint y, GLsizei width,
                                GLsizei height) {
-        judge->copy("glCopyTexSubImage2D", [=] { return fmt::format("{}x{}", width, height); });
-        if (textures->boundIsAlphaOnly()) judge->alphaPlanes("glCopyTexSubImage2D", "alpha");
-        driver->CopyTexSubImage2D(target, level, s, t, x, y, width, height);
+        layer->judge.copy("glCopyTexSubImage2D", [=] { return fmt::format("{}x{}", width, height); });
+        if (layer->textures.boundIsAlphaOnly()) layer->judge.alphaPlanes("glCopyTexSubImage2D", "alpha");
+        layer->driver.CopyTexSubImage2D(target, level, s, t, x, y, width, height);
     };
     gl.ActiveTexture = [=](GLenum unit) {
-        judge->need(int(unit - GL_TEXTURE0) < judge->p.textureUnits, "glActiveTexture", unit,
-                    "texture_units");
-        driver->ActiveTexture(unit);
+        layer->judge.need(int(unit - GL_TEXTURE0) < layer->judge.p.textureUnits, "glActiveTexture", unit,
+                          "texture_units");
+        layer->driver.ActiveTexture(unit);
     };
 
     // Frame buffers of textures: so far only depth maps are drawn to.
     gl.BindFramebuffer = [=](GLenum target, GLuint framebuffer) {
         if (framebuffer != 0)
-            judge->depthTexture("glBindFramebuffer", [=] { return fmt::format("{}", framebuffer); });
-        state->toTexture = framebuffer != 0;
-        driver->BindFramebuffer(target, framebuffer);
+            layer->judge.depthTexture("glBindFramebuffer", [=] { return fmt::format("{}", framebuffer); });
+        layer->state.toTexture = framebuffer != 0;
+        layer->driver.BindFramebuffer(target, framebuffer);
     };
 
     // Programs
     gl.CreateShader = [=](GLenum type) {
-        judge->shader(type);
-        return driver->CreateShader(type);
+        layer->judge.shader(type);
+        return layer->driver.CreateShader(type);
     };
     gl.ShaderSource = [=](GLuint shader, GLsizei count, const GLchar* const* strings, const GLint* lengths) {
         std::string text;
         for (GLsizei i = 0; i < count; ++i)
             text += lengths && lengths[i] >= 0 ? std::string(strings[i], std::size_t(lengths[i]))
                                                : std::string(strings[i]);
-        judge->shaderSource(text);
-        driver->ShaderSource(shader, count, strings, lengths);
+        layer->judge.shaderSource(text);
+        layer->driver.ShaderSource(shader, count, strings, lengths);
     };
     gl.CreateProgram = [=]() {
-        judge->need(judge->p.shaders, "glCreateProgram", "", "shaders");
-        return driver->CreateProgram();
+        layer->judge.need(layer->judge.p.shaders, "glCreateProgram", "", "shaders");
+        return layer->driver.CreateProgram();
     };
     gl.UseProgram = [=](GLuint program) {
-        judge->need(
-            judge->p.shaders, "glUseProgram", [=] { return fmt::format("{}", program); }, "shaders");
-        state->program = program != 0;
-        driver->UseProgram(program);
+        layer->judge.need(
+            layer->judge.p.shaders, "glUseProgram", [=] { return fmt::format("{}", program); }, "shaders");
+        layer->state.program = program != 0;
+        layer->driver.UseProgram(program);
     };
     gl.BindBufferBase = [=](GLenum target, GLuint index, GLuint buffer) {
-        judge->need(judge->p.atomicCounters || target != GL_ATOMIC_COUNTER_BUFFER, "glBindBufferBase",
-                    "GL_ATOMIC_COUNTER_BUFFER", "atomic_counters");
-        driver->BindBufferBase(target, index, buffer);
+        layer->judge.need(layer->judge.p.atomicCounters || target != GL_ATOMIC_COUNTER_BUFFER,
+                          "glBindBufferBase", "GL_ATOMIC_COUNTER_BUFFER", "atomic_counters");
+        layer->driver.BindBufferBase(target, index, buffer);
     };
     gl.DrawElements = [=](GLenum mode, GLsizei count, GLenum type, const void* indices) {
-        judge->draw("glDrawElements", *state);
-        driver->DrawElements(mode, count, type, indices);
+        layer->judge.draw("glDrawElements", layer->state);
+        layer->driver.DrawElements(mode, count, type, indices);
     };
     return gl;
 }
