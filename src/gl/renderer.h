@@ -6,6 +6,7 @@
 #include "gl/counter.h"
 #include "gl/light_frame.h"
 #include "gl/surface.h"
+#include "gl/vertex_arrays.h"
 #include "image/image.h"
 #include "plan/plan.h"
 
@@ -33,6 +34,7 @@ struct RenderOptions {
     AfterPass afterPass{};
     bool timesPasses = false;    ///< waits after each pass; the frame takes a little longer
     bool countsSamples = false;  ///< by occlusion queries
+    VertexSource vertices = VertexSource::HostMemory;
 };
 
 /// Runs the passes of @p plan on @p surface through @p profile's capability layer, and reads the result.

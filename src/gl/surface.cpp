@@ -65,6 +65,7 @@ struct Surface::Impl {
     std::unique_ptr<DeviceContext> context{};
     GlTable driver{};
     std::map<std::string, unsigned> programs{};
+    KeptObjects objects{};
 
     void makeCurrent() {
         leaveTo(device);
@@ -149,6 +150,9 @@ bool Surface::isSoftware() const {
 
 std::map<std::string, unsigned>& Surface::programs() {
     return m_impl->programs;
+}
+KeptObjects& Surface::objects() {
+    return m_impl->objects;
 }
 
 void Surface::makeCurrent() {

@@ -10,6 +10,7 @@
 #include "gl/buffer_format.h"
 #include "gl/chip_arithmetic.h"
 #include "gl/device.h"
+#include "gl/kept_objects.h"
 #include "gl/table.h"
 
 namespace gnomon {
@@ -46,6 +47,8 @@ class Surface {
     /// The programs that were linked in this context, by a name that their users choose; they live as long as
     /// it does.
     std::map<std::string, unsigned>& programs();
+    /// Its other objects that stay from frame to frame.
+    KeptObjects& objects();
 
     /// Makes the context current; needed when several surfaces live.
     void makeCurrent();

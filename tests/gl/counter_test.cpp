@@ -47,6 +47,17 @@ TEST(Counter, CallsNothingLessThanTheWholeViewportARectangle) {
     EXPECT_EQ(c.passes(), (PassCounts{.scene = 2}));
 }
 
+// The pointer is an offset then, whatever stands at that address.
+TEST(Counter, LooksForNoCornersWhereABufferIsBound) {
+    Counted c;
+    c.gl.BindBuffer(GL_ARRAY_BUFFER, 1);
+    c.quad(kWindow);
+    EXPECT_EQ(c.passes(), (PassCounts{.scene = 1}));
+    c.gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+    c.quad(kWindow);
+    EXPECT_EQ(c.passes(), (PassCounts{.scene = 1, .rectangle = 1}));
+}
+
 TEST(Counter, CountsEachRectangleUnderOneState) {
     Counted c;
     c.quad(kWindow);

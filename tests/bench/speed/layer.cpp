@@ -1,11 +1,15 @@
-// What the capability layer adds to a state call: to a table of empty functions, beside these functions.
+// What the capability layer adds: to a state call, on a table of empty functions beside these functions; and
+// to a frame, with the counter of passes, beside the same calls on the driver's own entry points.
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "bench/speed/easel.h"
 #include "bench/speed/speed_row.h"
-#include "gl/buffer_format.h"
+#include "cost/spread.h"
 #include "gl/capability.h"
+#include "gl/pass_runner.h"
 #include "gl/stopwatch.h"
 #include "profile/shipped.h"
 
@@ -66,10 +70,10 @@ double nanoseconds(StateCall call, const GlTable& gl, int times) {
 /// Layered and plain by kind of call; then what they say together.
 Round stateCalls(Load load, Measured (*sum)(const std::vector<std::pair<double, double>>&)) {
     const int times = load == Load::Full ? 200'000 : 10;
-    const Profile profile = chip("ideal");
+    const auto profile = std::make_shared<const Profile>(chip("ideal"));
     const auto plain = std::make_shared<GlTable>(emptyTable());
-    const auto layered = std::make_shared<GlTable>(restrictTo(profile, bufferFormatOf(profile), *plain));
-    return [=] {
+    const auto layered = std::make_shared<GlTable>(restrictTo(*profile, bufferFormatOf(*profile), *plain));
+    return [=, held = profile] {
         std::vector<std::pair<double, double>> kinds;
         for (const StateCall call : kCalls) {
             const double with = nanoseconds(call, *layered, times);
@@ -94,6 +98,43 @@ Measured slowest(const std::vector<std::pair<double, double>>& kinds) {
     return {added(*most), most->first, most->second};
 }
 
+/// Thread CPU time of a frame, milliseconds, as render() draws it: through the layer and the counter, which
+/// are put up for each frame; or past them.
+double frameMs(Easel& easel, const Plan& plan, bool isHeld) {
+    Surface& surface = easel.surface();
+    surface.makeCurrent();
+    const GlTable& driver = surface.driver();
+    resetState(driver);
+    const double start = threadCpuMs();
+    Counter counter;
+    std::optional<GlTable> held;
+    if (isHeld) held = counter.count(restrictTo(easel.profile(), surface.format(), driver));
+    const LightFrames lights = easel.frame().lights();
+    PassRunner runner(held ? *held : driver, surface, easel.profile().id, plan, easel.frame().surfaces,
+                      lights, VertexSource::HostMemory);
+    for (const Pass& pass : plan.passes) runner.run(pass);
+    driver.Finish();
+    const double ms = threadCpuMs() - start;
+    surface.objects().endFrame(driver);
+    return ms;
+}
+
+Round frames(Load load) {
+    const bool isFull = load == Load::Full;
+    const auto easel =
+        std::make_shared<Easel>(shippedScene("roettger"), isFull ? 320 : 32, isFull ? 240 : 24);
+    const Plan plan = easel->plan("roettger-alpha");
+    return [=] {
+        std::vector<double> with, without;
+        for (int i = 0; i < (isFull ? 40 : 1); ++i) {
+            with.push_back(frameMs(*easel, plan, true));
+            without.push_back(frameMs(*easel, plan, false));
+        }
+        const double held = spreadOf(with).median, bare = spreadOf(without).median;
+        return Measured{100 * (held - bare) / bare, held, bare};
+    };
+}
+
 }  // namespace
 
 std::vector<SpeedRow> layerRows() {
@@ -108,7 +149,13 @@ std::vector<SpeedRow> layerRows() {
              .target = 10,
              .unit = "ns",
              .sides = "ns",
-             .prepare = [](Load load) { return stateCalls(load, slowest); }}};
+             .prepare = [](Load load) { return stateCalls(load, slowest); }},
+            {.name = "Layer/Frame",
+             .what = "capability layer: of a frame, 320x240, roettger-alpha",
+             .target = 2,
+             .unit = "%",
+             .sides = "ms",
+             .prepare = frames}};
 }
 
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-enum class Bar { AtMost, AtLeast };
+enum class Bar { AtMost, AtLeast, None };
 
 /// What one round of a row gave.
 struct Measured {
@@ -33,6 +33,9 @@ struct SpeedRow {
 };
 
 // The subjects, one file each; main.cpp runs their rows in this order.
+std::vector<SpeedRow> maskPassRows();
+std::vector<SpeedRow> halfRows();
+std::vector<SpeedRow> vertexBufferRows();
 std::vector<SpeedRow> layerRows();
 std::vector<SpeedRow> truthRows();
 std::vector<SpeedRow> judgeRows();
