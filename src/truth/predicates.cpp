@@ -1,6 +1,7 @@
 #include "truth/predicates.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -73,10 +74,9 @@ int exactSide(const Exact3& normal, const Exact3& base, const RayPoint& point) {
 
 }  // namespace
 
-RayPoint::RayPoint(const EyeRay& ray, const LitTriangle& triangle, double shift)
-    : m_ray(ray), m_triangle(&triangle), m_shift(shift) {
+RayPoint::RayPoint(const EyeRay& ray, const LitTriangle& triangle) : m_ray(ray), m_triangle(&triangle) {
     if (const auto t = planeHit(ray, triangle)) {
-        place({t->low + shift, t->high + shift});
+        place(*t);
     } else {
         const auto exact = static_cast<double>(exactT());
         place({exact, exact});
@@ -87,7 +87,18 @@ RayPoint::RayPoint(const EyeRay& ray, double t) : m_ray(ray), m_shift(t) {
     place({t, t});
 }
 
+RayPoint RayPoint::moved(double shift) const {
+    assert(m_triangle && m_shift == 0);
+    RayPoint point;
+    point.m_ray = m_ray;
+    point.m_triangle = m_triangle;
+    point.m_shift = shift;
+    point.place({m_bounds.low + shift, m_bounds.high + shift});
+    return point;
+}
+
 void RayPoint::place(const Interval& t) {
+    m_bounds = t;
     m_t = t.low + (t.high - t.low) / 2;
     m_position = m_ray.eye + m_t * m_ray.direction;
     const glm::dvec3 size = glm::abs(m_ray.eye) + std::abs(m_t) * glm::abs(m_ray.direction);

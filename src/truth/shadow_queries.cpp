@@ -1,7 +1,6 @@
 #include "truth/shadow_queries.h"
 
 #include <algorithm>
-#include <iterator>
 
 namespace gnomon {
 
@@ -31,6 +30,7 @@ ShadowQueries::Answered ShadowQueries::at(const Visible& visible) {
     const double along = m_rays.quantumAt(hit.t.high) * length;
     const double reach = m_world.surfaces.reach() / 2;
     const bool coversDepth = beside + along < reach;
+    bool isAllNear = false;
     if (beside < reach) {
         const Answer blocked =
             isBlockedAround(point, surface.triangle, coversDepth ? beside + along : beside);
@@ -38,14 +38,22 @@ ShadowQueries::Answered ShadowQueries::at(const Visible& visible) {
             const bool isYes = blocked == Answer::Yes;
             return {isYes, !coversDepth && changesWithDepth(surface, point, isYes)};
         }
+        isAllNear = coversDepth;
     }
-    const bool blocked = isBlocked(point, surface.triangle);
-    if (changesWithDepth(surface, point, blocked)) return {blocked, true};
-    return {blocked, std::any_of(std::begin(kCorners), std::end(kCorners), [&](const glm::dvec2& corner) {
-                const RayPoint moved(m_rays.at(visible.x + corner.x, visible.y + corner.y),
-                                     m_rays.triangle(visible.surface));
-                return isBlocked(moved, visible.surface.triangle) != blocked;
-            })};
+
+    // One by one: the point, the same a quantum of depth before and behind, and where a rasteriser may see
+    // it.
+    const auto ask = [&](const RayPoint& at) {
+        return isAllNear ? isBlockedByNear(at) : isBlocked(at, surface.triangle);
+    };
+    const bool blocked = ask(point);
+    for (const double shift : shiftsOf(point))
+        if (ask(point.moved(shift)) != blocked) return {blocked, true};
+    for (const glm::dvec2& corner : kCorners) {
+        const EyeRay ray = m_rays.at(visible.x + corner.x, visible.y + corner.y);
+        if (ask(RayPoint(ray, m_rays.triangle(surface))) != blocked) return {blocked, true};
+    }
+    return {blocked, false};
 }
 
 bool ShadowQueries::isBlocked(const RayPoint& point, std::uint32_t own) {
@@ -62,24 +70,38 @@ bool ShadowQueries::isBlocked(const RayPoint& point, std::uint32_t own) {
 Answer ShadowQueries::isBlockedAround(const RayPoint& point, std::uint32_t own, double radius) {
     ++m_asked;
     Answer blocked = Answer::No;
+    m_near.clear();
     m_world.castersTowardsLight(point, radius, [&](std::uint32_t index, Answer crossed) {
         if (index == own) return true;
         if (crossed == Answer::Unsure)
             crossed = crosses(m_world.triangles[index], m_world.light, point, radius);
-        if (crossed != Answer::No) blocked = crossed;
+        if (crossed == Answer::No) return true;
+        blocked = crossed;
+        m_near.push_back(index);
         return blocked != Answer::Yes;
     });
     return blocked;
 }
 
+/// Of a point in the neighbourhood that was unsure just before: nothing else can block it.
+bool ShadowQueries::isBlockedByNear(const RayPoint& point) {
+    ++m_asked;
+    return std::any_of(m_near.begin(), m_near.end(), [&](std::uint32_t index) {
+        return crossesExactly(m_world.triangles[index], m_world.light, point);
+    });
+}
+
 bool ShadowQueries::changesWithDepth(const SeenSurface& surface, const RayPoint& point, bool blocked) {
     if (surface.facesAway) return false;
-    const double quantum = m_rays.quantumAt(point.t());
-    for (const double shift : {-std::min(quantum, point.t() - m_rays.view.nearPlane), quantum}) {
-        const RayPoint moved(point.ray(), m_rays.triangle(surface), shift);
-        if (isBlocked(moved, surface.triangle) != blocked) return true;
-    }
+    for (const double shift : shiftsOf(point))
+        if (isBlocked(point.moved(shift), surface.triangle) != blocked) return true;
     return false;
+}
+
+/// One quantum of depth towards the eye, not before the near plane, and one away from it.
+std::array<double, 2> ShadowQueries::shiftsOf(const RayPoint& point) const {
+    const double quantum = m_rays.quantumAt(point.t());
+    return {-std::min(quantum, point.t() - m_rays.view.nearPlane), quantum};
 }
 
 }  // namespace gnomon

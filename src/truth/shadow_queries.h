@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "truth/frame_rays.h"
 
@@ -51,10 +53,14 @@ class ShadowQueries {
   private:
     Answered at(const Visible& visible);
     Answer isBlockedAround(const RayPoint& point, std::uint32_t own, double radius);
+    bool isBlockedByNear(const RayPoint& point);
+    std::array<double, 2> shiftsOf(const RayPoint& point) const;
 
     const FrameRays& m_rays;
     const World& m_world;
     std::uint64_t m_asked = 0;
+    std::vector<std::uint32_t>
+        m_near{};  ///< what may block some point around the last one, if that is unsure
 };
 
 }  // namespace gnomon
