@@ -15,8 +15,9 @@
 namespace gnomon {
 namespace {
 
-/// What is current on a thread: the libraries of the devices don't know of each other, but Mesa's share the
-/// thread's dispatch table.
+/// What is current on a thread. The libraries of the devices don't know of each other, but Mesa's share the
+/// thread's dispatch table: one gives it up before the other takes it. (Mesa 22.3 was seen to bear it
+/// otherwise.)
 struct Current {
     DeviceContext* context = nullptr;
     Device device{};

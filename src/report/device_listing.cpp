@@ -15,7 +15,9 @@ std::string listDevices(const std::vector<DriverFacts>& devices, Format format) 
 }
 
 std::string deviceText(const std::string& device) {
-    return device == name(Device::Osmesa) ? "" : fmt::format(", on {}", title(Device::Egl));
+    if (device == name(defaultDevice())) return "";
+    const bool isEgl = device == name(Device::Egl);
+    return fmt::format(", on {}", title(isEgl ? Device::Egl : Device::Osmesa));
 }
 
 }  // namespace gnomon

@@ -28,7 +28,8 @@ class NeedsDriver : public testing::Environment {
         try {
             TestSurface({}, 1, 1);
         } catch (const NoDriver& none) {
-            GTEST_SKIP() << none.what();
+            // CTest goes by this mark, which GoogleTest has for single tests only.
+            GTEST_SKIP() << "[  SKIPPED ] " << none.what();
         }
     }
 };

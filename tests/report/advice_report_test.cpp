@@ -261,7 +261,7 @@ TEST(AdviceCsv, IsALineForEachMethodUnderAHead) {
         HasSubstr("profile,scene,width,height,frame,fidelity,device,method,drawn_as,chosen,verdict,"));
     EXPECT_EQ(
         lines[2],
-        "voodoo2,\"models/a, \"\"b\"\".ply\",320,240,3,gl,roettger-screen,roettger-screen,true,exact,"
+        "voodoo2,\"models/a, \"\"b\"\".ply\",320,240,3,gl,osmesa,roettger-screen,roettger-screen,true,exact,"
         "\"volumes nest up to 1 deep, 2 can be counted\",,,0,0,2,4,3,0,60,0,100,900,0,0,1000,240,2000,,\r");
     EXPECT_EQ(
         lines[1].substr(lines[1].find("false,wrong")),

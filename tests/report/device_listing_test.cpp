@@ -26,9 +26,12 @@ TEST(DeviceListing, MarksTheDefault) {
     }
 }
 
-TEST(DeviceText, IsNothingForOsmesa) {
-    EXPECT_EQ(deviceText("osmesa"), "");
-    EXPECT_EQ(deviceText("egl"), ", on EGL");
+TEST(DeviceText, IsNothingForTheDefault) {
+    for (int i = 0; i < kDevices; ++i) {
+        const std::string expected =
+            Device(i) == defaultDevice() ? "" : std::string(", on ") + title(Device(i));
+        EXPECT_EQ(deviceText(name(Device(i))), expected);
+    }
 }
 
 }  // namespace
