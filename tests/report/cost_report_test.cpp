@@ -55,7 +55,7 @@ TEST(CostReport, FitsAHundredColumnsAndSaysWhatIsRefused) {
     EXPECT_THAT(text, HasSubstr("  1.00   0.50   9999.99  "));
     EXPECT_THAT(text, HasSubstr("roettger on ideal, 10x10, frame 0"));
     EXPECT_THAT(text, HasSubstr("Refused\n  eisemann: lacks no stencil\n"));
-    EXPECT_THAT(text, HasSubstr("(0.50 ms of it here; never the chip's time)"));
+    EXPECT_THAT(text, HasSubstr("(0.50 ms of it\nhere; never the chip's time)"));
 }
 
 TEST(CostReport, SaysSoWhereImagesCouldNotBeCompared) {
