@@ -159,7 +159,8 @@ class Study {
     }
 
     void time(int frame) {
-        // Before each way its own unshadowed frame: the same chip, buffers and arithmetic.
+        // Before each way its own unshadowed frame, of the same chip, buffers and arithmetic: twice, so that
+        // what is measured follows on such a frame in both.
         std::vector<TimedWay> ways;
         std::vector<CostRow*> rows;
         std::map<std::pair<BufferFormat, ChipArithmetic>, std::vector<std::size_t>> alike;  ///< of rows
@@ -169,7 +170,7 @@ class Study {
             alike[{bufferFormatOf(way.profile), arithmeticOf(way.profile, way.fidelity)}].push_back(
                 rows.size());
             rows.push_back(&m_result.rows[i]);
-            ways.push_back({way.profile, normalised({.store = Store::None}), way.fidelity, {}});
+            ways.insert(ways.end(), 2, {way.profile, normalised({.store = Store::None}), way.fidelity, {}});
             ways.push_back(way);
         }
         const auto times = m_lab.frameTimes(ways, m_request.width, m_request.height, frame,
@@ -181,11 +182,11 @@ class Study {
             };
             for (const auto& [format, members] : alike) {
                 std::vector<double> bare;
-                for (const std::size_t row : members) bare.push_back(best(2 * row));
+                for (const std::size_t row : members) bare.push_back(best(3 * row + 1));
                 const double unshadowed = spreadOf(bare).median;
                 m_unshadowedMs.push_back(unshadowed);
                 for (const std::size_t row : members)
-                    rows[row]->ratios.push_back(best(2 * row + 1) / unshadowed);
+                    rows[row]->ratios.push_back(best(3 * row + 2) / unshadowed);
             }
         }
         step();

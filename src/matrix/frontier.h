@@ -59,7 +59,7 @@ struct CostRequest {
     std::vector<CostSetting> settings{};
     int width = 320, height = 240;
     std::vector<int> frames{0};
-    /// Rounds of timing. In each, all settings are drawn in turn kDrawingsPerRound times, an unshadowed frame
+    /// Rounds of timing. In each, all settings are drawn in turn kDrawingsPerRound times, unshadowed frames
     /// before each; the best of a setting's drawings counts, and of the unshadowed ones the median over all
     /// settings of the best before each: what else the machine does only ever adds to a time.
     int repeats = 9;

@@ -32,8 +32,10 @@ std::string marksOf(const CostRow& row) {
     return fmt::format("{}{}", row.onTimeFrontier ? "*" : "", row.onTouchedFrontier ? "+" : "");
 }
 
+/// With what an automatic method has chosen, if that was always the same.
 std::string nameOf(const CostRow& row) {
-    return row.drawnBy.empty() ? row.setting.name : fmt::format("{} ({})", row.setting.name, row.drawnBy);
+    if (row.drawnBy.empty() || row.drawnBy.find(',') != std::string::npos) return row.setting.name;
+    return fmt::format("{} ({})", row.setting.name, row.drawnBy);
 }
 
 std::string errorTable(const CostStudy& study) {
@@ -50,16 +52,25 @@ std::string errorTable(const CostStudy& study) {
     return alignColumns(table);
 }
 
+/// All of one frame; touched pixels as multiples of the window's.
 std::string countTable(const CostStudy& study) {
     std::vector<std::vector<std::string>> table{
-        {"setting", "passes", "vertices", "clear", "scene", "volume", "rectangle", "copy", "touched"}};
+        {"setting", "passes", "vertices", "clear", "scene", "volume", "rectangle", "copy", "touched", ""}};
+    const double frames = double(study.frames.size());
     for (const CostRow& row : study.rows) {
         if (!row.isDrawn()) continue;
         const PassCounts& p = row.passes;
         const TouchedPixels& t = row.amount.pixels;
-        table.push_back({nameOf(row), fmt::format("{}/{}/{}/{}", p.scene, p.volume, p.rectangle, p.copy),
-                         number(row.amount.vertices), number(t.clear), number(t.scene), number(t.volume),
-                         number(t.rectangle), number(t.copy), number(t.total())});
+        const auto mean = [&](auto sum) { return fmt::format("{:.3g}", double(sum) / frames); };
+        const auto windows = [&](std::int64_t pixels) {
+            return fmt::format("{:.2f}", double(pixels) / (frames * study.width * study.height));
+        };
+        table.push_back(
+            {nameOf(row),
+             fmt::format("{}/{}/{}/{}", mean(p.scene), mean(p.volume), mean(p.rectangle), mean(p.copy)),
+             fmt::format("{:.0f}", double(row.amount.vertices) / frames), windows(t.clear), windows(t.scene),
+             windows(t.volume), windows(t.rectangle), windows(t.copy), windows(t.total()),
+             row.onTouchedFrontier ? "+" : ""});
     }
     return alignColumns(table);
 }
@@ -109,8 +120,9 @@ std::string costText(const CostStudy& study) {
         kDrawingsPerRound));
     text += fmt::format("{}\n", countTable(study));
     paragraph(
-        "The same on every machine. passes: scene/volume/rectangle/copy. clear to touched: pixels that are "
-        "rasterised, by what is drawn there (copy: texels), and all of them.");
+        "The same on every machine, for one frame. passes: scene/volume/rectangle/copy. clear to touched: "
+        "pixels that are rasterised, by what is drawn there (copy: texels), and all of them, as multiples of "
+        "the window's.");
     text += undrawnText(study);
     if (study.framesCompared < int(study.frames.size()))
         paragraph(

@@ -46,14 +46,16 @@ CostStudy someStudy() {
 
 TEST(CostReport, FitsAHundredColumnsAndSaysWhatIsRefused) {
     CostStudy study = someStudy();
-    for (CostRow& one : study.rows) one.amount.pixels.volume = 99'999'999;
+    for (CostRow& one : study.rows) one.amount.pixels.volume = 999'999;
     study.rows[3].setting.name = "heidmann per-triangle, depth 32";
     const std::string text = showCost(study, Format::Text);
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+    // 100 cleared and 50 drawn of 100 pixels, and all of the volumes.
+    EXPECT_THAT(text, HasSubstr("  1.00   0.50   9999.99  "));
     EXPECT_THAT(text, HasSubstr("roettger on ideal, 10x10, frame 0"));
     EXPECT_THAT(text, HasSubstr("Refused\n  eisemann: lacks no stencil\n"));
-    EXPECT_THAT(text, HasSubstr("(0.50 ms of it here; never the chip's time)"));
+    EXPECT_THAT(text, HasSubstr("(0.50 ms of it\nhere; never the chip's time)"));
 }
 
 TEST(CostReport, SaysSoWhereImagesCouldNotBeCompared) {
