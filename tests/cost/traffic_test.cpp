@@ -61,6 +61,8 @@ TEST(TrafficOfStencil, IsTheDepthWordReadAndWrittenBack) {
     EXPECT_EQ(trafficOf(pass, k32, kHundred, 30).bytes(), 400 + 70 * 4) << "z-fail writes those that fail";
     pass.stencil.front = pass.stencil.back = {};
     EXPECT_EQ(trafficOf(pass, k32, kHundred, 30).bytes(), 400) << "a test alone writes nothing";
+    pass.depthTest = false;
+    EXPECT_EQ(trafficOf(pass, k32, kHundred, 30).bytes(), 400) << "the stencil lies in the depth word";
 }
 
 TEST(TrafficOfScene, WritesDepthWithColourAndReadsNoColour) {
