@@ -1,5 +1,7 @@
 // What the capability layer adds: to a state call, on a table of empty functions beside these functions; and
 // to a frame, with the counter of passes, beside the same calls on the driver's own entry points.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <memory>
 #include <optional>
@@ -119,20 +121,29 @@ double frameMs(Easel& easel, const Plan& plan, bool isHeld) {
     return ms;
 }
 
-Round frames(Load load) {
+Round frames(int width, int height, Load load) {
     const bool isFull = load == Load::Full;
     const auto easel =
-        std::make_shared<Easel>(shippedScene("roettger"), isFull ? 320 : 32, isFull ? 240 : 24);
+        std::make_shared<Easel>(shippedScene("roettger"), isFull ? width : 32, isFull ? height : 24);
     const Plan plan = easel->plan("roettger-alpha");
     return [=] {
         std::vector<double> with, without;
-        for (int i = 0; i < (isFull ? 40 : 1); ++i) {
+        for (int i = 0; i < (isFull ? 20 : 1); ++i) {
             with.push_back(frameMs(*easel, plan, true));
             without.push_back(frameMs(*easel, plan, false));
         }
         const double held = spreadOf(with).median, bare = spreadOf(without).median;
         return Measured{100 * (held - bare) / bare, held, bare};
     };
+}
+
+SpeedRow frameRow(int width, int height) {
+    return {.name = fmt::format("Layer/Frame/{}x{}", width, height),
+            .what = fmt::format("capability layer: of a frame of {}x{}", width, height),
+            .target = 2,
+            .unit = "%",
+            .sides = "ms",
+            .prepare = [=](Load load) { return frames(width, height, load); }};
 }
 
 }  // namespace
@@ -150,12 +161,8 @@ std::vector<SpeedRow> layerRows() {
              .unit = "ns",
              .sides = "ns",
              .prepare = [](Load load) { return stateCalls(load, slowest); }},
-            {.name = "Layer/Frame",
-             .what = "capability layer: of a frame, 320x240, roettger-alpha",
-             .target = 2,
-             .unit = "%",
-             .sides = "ms",
-             .prepare = frames}};
+            frameRow(1024, 1024),
+            frameRow(320, 240)};
 }
 
 }  // namespace gnomon
