@@ -22,6 +22,7 @@ struct Options {
     FormatOption format{};
     std::vector<std::string> frames{};
     std::string output{};
+    DeviceOption device{};
     int repeats = CostRequest{}.repeats;
 };
 
@@ -30,20 +31,6 @@ void showProgress(std::size_t done, std::size_t all) {
     if (!isatty(STDERR_FILENO)) return;
     fmt::print(stderr, "\r{} of {} steps{}", done, all, done == all ? "\n" : "");
     std::fflush(stderr);
-}
-
-/// Refuses a plot that could not be written, before anything is drawn.
-void checkOutput(const std::string& output) {
-    if (output.empty()) return;
-    const std::filesystem::path file(output);
-    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    std::error_code error;
-    if (file.extension() != ".png" && file.extension() != ".svg")
-        throw UsageError(fmt::format("{}: a plot's name ends in .svg or .png", output));
-    if (!std::filesystem::is_directory(folder, error))
-        throw UsageError(fmt::format("{}: no folder {}", output, folder.string()));
-    if (access(folder.c_str(), W_OK) != 0) throw UsageError(fmt::format("{}: can't be written", output));
-    if (std::filesystem::is_directory(file, error)) throw UsageError(fmt::format("{}: is a folder", output));
 }
 
 std::vector<CostSetting> settingsOf(const Options& options, const Profile& profile) {
@@ -63,7 +50,7 @@ std::vector<CostSetting> settingsOf(const Options& options, const Profile& profi
 
 int run(const Options& options) {
     const Format format = options.format.value();
-    checkOutput(options.output);
+    checkPlotFile(options.output);
     const Size size = theOnly("--size", options.sizes.value());
     CostRequest request{.profile = theOnly("--profile", options.profiles.load({"ideal"})),
                         .reference = ProfileOption{.ids = {"ideal"}}.load().front(),
@@ -72,6 +59,7 @@ int run(const Options& options) {
                         .repeats = options.repeats};
     request.settings = settingsOf(options, request.profile);
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.drawOn(options.device.value());
     const Scene& scene = lab.scene();
     if (!options.frames.empty()) request.frames = parseFrames(options.frames);
     for (const int frame : request.frames)
@@ -124,6 +112,7 @@ void addCost(CLI::App& app, int& status) {
     options->fidelity.addTo(*command);
     options->effects.addTo(*command);
     command->add_option("-o,--output", options->output, "draw error against cost as an .svg or .png file");
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
@@ -121,6 +122,19 @@ std::filesystem::path dataFolder(const std::string& name) {
     // Built outside of the repository.
     if (isRoot(GNOMON_SOURCE)) return std::filesystem::path(GNOMON_SOURCE) / name;
     throw UsageError(fmt::format("no folder {}/ beside or above the program", name));
+}
+
+void checkPlotFile(const std::string& output) {
+    if (output.empty()) return;
+    const std::filesystem::path file(output);
+    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    std::error_code error;
+    if (file.extension() != ".png" && file.extension() != ".svg")
+        throw UsageError(fmt::format("{}: a plot's name ends in .svg or .png", output));
+    if (!std::filesystem::is_directory(folder, error))
+        throw UsageError(fmt::format("{}: no folder {}", output, folder.string()));
+    if (access(folder.c_str(), W_OK) != 0) throw UsageError(fmt::format("{}: can't be written", output));
+    if (std::filesystem::is_directory(file, error)) throw UsageError(fmt::format("{}: is a folder", output));
 }
 
 void FormatOption::addTo(CLI::App& app) {

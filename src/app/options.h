@@ -34,6 +34,11 @@ T theOnly(const std::string& flag, std::vector<T> values) {
 /// @throws UsageError if there is none
 std::filesystem::path dataFolder(const std::string& name);
 
+/// Refuses a plot that could not be written, before anything is drawn.
+/// @param output  .svg or .png; empty: none is asked for
+/// @throws UsageError
+void checkPlotFile(const std::string& output);
+
 /// --format
 struct FormatOption {
     std::string word = "text";

@@ -58,10 +58,7 @@ int run(const Options& options) {
         if (isGiven && !paper->flags.contains(flag))
             throw UsageError(fmt::format("{}: not for {}", flag, paper->id));
 
-    if (const auto ending = std::filesystem::path(options.plot).extension();
-        !options.plot.empty() && ending != ".svg" && ending != ".png")
-        throw UsageError(fmt::format("{}: neither .svg nor .png", options.plot));
-
+    checkPlotFile(options.plot);
     ReproduceOptions wanted{.table = options.table,
                             .format = options.format.value(),
                             .frames = options.frames,

@@ -92,7 +92,9 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     FrameObjects objects(surface);
     Counter counter;
     const GlTable gl = counter.count(restrictTo(profile, surface.format(), driver));
-    PassRunner runner(gl, surface, profile.id, plan, surfaces, lights, options.vertices);
+    PassRunner runner(
+        gl, surface, profile.id, plan, surfaces, lights,
+        options.vertices.value_or(surface.isSoftware() ? VertexSource::HostMemory : VertexSource::Buffers));
     Rendered out;
     std::size_t lightCount = 1;
     for (const MaskTap& mask : plan.masks) lightCount = std::max(lightCount, std::size_t(mask.light) + 1);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "gl/counter.h"
@@ -34,7 +35,8 @@ struct RenderOptions {
     AfterPass afterPass{};
     bool timesPasses = false;    ///< waits after each pass; the frame takes a little longer
     bool countsSamples = false;  ///< by occlusion queries
-    VertexSource vertices = VertexSource::HostMemory;
+    /// By default the host's memory where the processor draws, which gains nothing by buffers; else buffers.
+    std::optional<VertexSource> vertices{};
 };
 
 /// Runs the passes of @p plan on @p surface through @p profile's capability layer, and reads the result.
