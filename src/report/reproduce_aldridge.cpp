@@ -99,8 +99,8 @@ std::string showAldridge(const AldridgeRun& run, Format format) {
         for (const auto& row : table) text += csvLine(row);
         return text;
     }
-    return fmt::format("Aldridge and Woods, section 4, beside {} ({} triangles) at {}x{}, {}\n\n", run.scene,
-                       run.triangles, run.width, run.height, run.device) +
+    return fmt::format("Aldridge and Woods, section 4, beside {} ({} triangles) at {}x{}\non {}\n\n",
+                       run.scene, run.triangles, run.width, run.height, run.device) +
            alignColumns(table) + "\n" + alignColumns(multiples) + "\n" +
            fmt::format("Edges of three triangles or more: published {}, here {}, up to {} at one edge.\n",
                        kPublishedCrowdedEdges, run.crowdedEdges, run.mostAtAnEdge) +

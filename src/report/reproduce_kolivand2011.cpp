@@ -88,7 +88,7 @@ std::string showKolivand(const KolivandRun& run, Format format) {
         return text;
     }
     return fmt::format(
-               "Kolivand and Sunar 2011, Table 1, beside {} ({} triangles) at {}x{}, {} frames, {}\n\n",
+               "Kolivand and Sunar 2011, Table 1, beside {} ({} triangles) at {}x{}, {} frames\non {}\n\n",
                run.scene, run.triangles, run.width, run.height, run.frames, run.device) +
            alignColumns(table) + "\n" + claimsOf(run) +
            wrapText(
@@ -96,10 +96,9 @@ std::string showKolivand(const KolivandRun& run, Format format) {
                "(quartiles) "
                "of rounds in which all four were drawn in turn. Build: the host's part of a frame. "
                "Comparable: "
-               "frame rates as shares of the frame rate without shadow. Not comparable: the "
-               "rates themselves (a Pentium 4 of 2.8 GHz with an NVIDIA card), and the scene, which the "
-               "paper does not give. Share: median (quartiles) of rounds in which all four were drawn in "
-               "turn.",
+               "the shares. Not comparable: the rates themselves (a Pentium 4 of 2.8 GHz with an NVIDIA "
+               "card), "
+               "and the scene, which the paper does not give.",
                0) +
            "\n";
 }

@@ -102,7 +102,7 @@ std::string showUsta(const UstaRun& run, Format format) {
     if (format == Format::Json) return jsonOf(run);
     if (format == Format::Csv) return csvOf(run);
     std::string text = fmt::format(
-        "Usta et al. 2019, Figure 4: time of making the stencil mask, {}x{}, {} frames of each path, {}\n",
+        "Usta et al. 2019, Figure 4: time of making the stencil mask, {}x{}, {} frames of each path\non {}\n",
         run.width, run.height, run.frames, run.device);
     for (const UstaScene& scene : run.scenes) {
         std::vector<std::vector<std::string>> table{
