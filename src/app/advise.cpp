@@ -16,6 +16,7 @@ struct Options {
     SizeOption sizes{};
     FidelityOption fidelity{};
     FormatOption format{};
+    DeviceOption device{};
     int frame = 0;
 };
 
@@ -24,6 +25,7 @@ int run(const Options& options) {
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.drawOn(options.device.value());
     const FidelityChoice fidelity = theOnly("--fidelity", options.fidelity.value({profile}));
     lab.use(fidelity);
     const Scene& scene = lab.scene();
@@ -49,6 +51,7 @@ void addAdvise(CLI::App& app, int& status) {
     options->sizes.addTo(*command);
     command->add_option("--frame", options->frame, "frame of the camera path")->capture_default_str();
     options->fidelity.addTo(*command);
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

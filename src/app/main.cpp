@@ -19,12 +19,14 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
     gnomon::addAdvise(app, status);
+    gnomon::addCost(app, status);
     gnomon::addProve(app, status);
     gnomon::addReproduce(app, status);
     gnomon::addProfiles(app, status);
     gnomon::addMethods(app, status);
     gnomon::addScenes(app, status);
     gnomon::addMesh(app, status);
+    gnomon::addDevices(app, status);
 }
 
 int fail(Exit status, const std::string& what) {

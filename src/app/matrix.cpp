@@ -19,6 +19,7 @@ struct Options {
     FidelityOption fidelity{};
     EffectsOption effects{};
     FormatOption format{};
+    DeviceOption device{};
     std::vector<std::string> frames{};
     int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
 };
@@ -39,6 +40,7 @@ int run(const Options& options) {
     request.profiles = options.profiles.load();
     request.scenes = options.scenes.load();
     request.fidelities = options.fidelity.value(request.profiles);
+    request.device = options.device.value();
     request.effects = options.effects.value();
     request.jobs = options.jobs;
     for (const Scene& scene : request.scenes) {
@@ -85,6 +87,7 @@ void addMatrix(CLI::App& app, int& status) {
         ->allow_extra_args(false);
     options->fidelity.addTo(*command);
     options->effects.addTo(*command);
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
         ->check(CLI::Range(1, 256));

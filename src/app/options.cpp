@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
 #include "matrix/hard_run.h"
+#include "matrix/probe.h"
 #include "method/from_words.h"
 #include "profile/words.h"
 
@@ -120,6 +122,19 @@ std::filesystem::path dataFolder(const std::string& name) {
     // Built outside of the repository.
     if (isRoot(GNOMON_SOURCE)) return std::filesystem::path(GNOMON_SOURCE) / name;
     throw UsageError(fmt::format("no folder {}/ beside or above the program", name));
+}
+
+void checkPlotFile(const std::string& output) {
+    if (output.empty()) return;
+    const std::filesystem::path file(output);
+    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    std::error_code error;
+    if (file.extension() != ".png" && file.extension() != ".svg")
+        throw UsageError(fmt::format("{}: a plot's name ends in .svg or .png", output));
+    if (!std::filesystem::is_directory(folder, error))
+        throw UsageError(fmt::format("{}: no folder {}", output, folder.string()));
+    if (access(folder.c_str(), W_OK) != 0) throw UsageError(fmt::format("{}: can't be written", output));
+    if (std::filesystem::is_directory(file, error)) throw UsageError(fmt::format("{}: is a folder", output));
 }
 
 void FormatOption::addTo(CLI::App& app) {
@@ -434,6 +449,17 @@ std::vector<Size> SizeOption::value() const {
     return sizes.empty() ? std::vector<Size>{{}} : sizes;
 }
 
+void addHostMs(CLI::App& app, double& hostMs) {
+    app.add_option("--host-ms", hostMs,
+                   "cost model: milliseconds that the machine's processor needs for a frame, beside the chip "
+                   "(default: left out)")
+        ->check([](const std::string& word) -> std::string {
+            double value = -1;  // CLI::Range lets nan through
+            const bool isNumber = CLI::detail::lexical_cast(word, value);
+            return isNumber && value >= 0 && value <= 1e6 ? "" : word + " is not in 0 to 1000000";
+        });
+}
+
 std::vector<int> parseFrames(const std::vector<std::string>& words) {
     std::vector<int> frames;
     for (const std::string& word : words) {
@@ -489,6 +515,21 @@ std::vector<FidelityChoice> FidelityOption::value(const std::vector<Profile>& pr
     if (!chip && (choice.dithers || choice.unit))
         throw UsageError("--dither and --blend-unit are of --fidelity chip");
     return choices;
+}
+
+void DeviceOption::addTo(CLI::App& app) {
+    app.add_option("--device", word,
+                   fmt::format("what draws: {} (default: {}; gnomon devices lists them)",
+                               listOf<Device>(kDevices), name(defaultDevice())));
+}
+
+Device DeviceOption::value() const {
+    const Device device = word.empty() ? defaultDevice() : wordOf<Device>("--device", word, kDevices);
+    // OSMesa, where it is built in, brings its driver along.
+    if (isBuilt(device) && device == Device::Osmesa) return device;
+    const DriverFacts facts = probe(device);
+    if (!facts.problem.empty()) throw UsageError(fmt::format("--device {}: {}", name(device), facts.problem));
+    return device;
 }
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "gl/device.h"
 #include "matrix/run.h"
 #include "method/method.h"
 #include "profile/profile.h"
@@ -32,6 +33,11 @@ T theOnly(const std::string& flag, std::vector<T> values) {
 /// Where profiles/ or scenes/ lies: beside the program or in a folder above it.
 /// @throws UsageError if there is none
 std::filesystem::path dataFolder(const std::string& name);
+
+/// Refuses a plot that could not be written, before anything is drawn.
+/// @param output  .svg or .png; empty: none is asked for
+/// @throws UsageError
+void checkPlotFile(const std::string& output);
 
 /// --format
 struct FormatOption {
@@ -93,6 +99,9 @@ struct SizeOption {
     std::vector<Size> value() const;
 };
 
+/// --host-ms: what the processor of the time needs for a frame, for the cost model; finite, not negative.
+void addHostMs(CLI::App& app, double& hostMs);
+
 /// "0,15" or "0-59"; each a comma list.
 std::vector<int> parseFrames(const std::vector<std::string>& words);
 
@@ -103,6 +112,14 @@ struct FidelityOption {
     void addTo(CLI::App& app);
     /// @throws UsageError for an unknown word, or a blend unit that none of @p profiles has
     std::vector<FidelityChoice> value(const std::vector<Profile>& profiles) const;
+};
+
+/// --device
+struct DeviceOption {
+    std::string word{};
+    void addTo(CLI::App& app);
+    /// @throws UsageError  no such device, gnomon was built without it, or the system has no driver for it
+    Device value() const;
 };
 
 }  // namespace gnomon

@@ -19,7 +19,9 @@ struct Options {
     SizeOption sizes{};
     EffectsOption effects{};
     FormatOption format{};
+    DeviceOption device{};
     int frame = 0;
+    double hostMs = 0;
     bool explain = false;
 };
 
@@ -45,11 +47,15 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
         MinimalPlan least = lab.minimalPlan(profile, axes, width, height, frame);
         if (options.explain) {
             const std::string drawnAs = methodId(least.axes);
-            sheet.notes = {.effects = least.notes,
-                           .amounts = lab.amounts(profile, least, width, height, frame),
-                           .full = sheet.plan,
-                           .fullAmount = sumOf(lab.fullAmounts(profile, axes, width, height, frame)),
-                           .drawnAs = drawnAs == sheet.method ? "" : drawnAs};
+            sheet.notes = {
+                .effects = least.notes,
+                .amounts = lab.amounts(profile, least, width, height, frame),
+                .full = sheet.plan,
+                .fullAmount = sumOf(lab.fullAmounts(profile, axes, width, height, frame)),
+                .cost = CostNotes{lab.cost(profile, least, width, height, frame, options.hostMs),
+                                  lab.fullCost(profile, axes, width, height, frame, options.hostMs),
+                                  modelRates(profile)},
+                .drawnAs = drawnAs == sheet.method ? "" : drawnAs};
         }
         sheet.plan = std::move(least.plan);
     }
@@ -64,6 +70,7 @@ int run(const Options& options) {
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.drawOn(options.device.value());
     if (options.frame < 0 || options.frame >= int(lab.scene().frames.size()))
         throw UsageError(
             fmt::format("--frame: {} has frames 0 to {}", lab.scene().id, lab.scene().frames.size() - 1));
@@ -102,7 +109,9 @@ void addPlan(CLI::App& app, int& status) {
     command->add_flag(
         "--explain", options->explain,
         "the plan with what the frame calls for: why each pass is there, what is left out and why");
+    addHostMs(*command, options->hostMs);
     options->effects.addTo(*command);
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

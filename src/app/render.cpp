@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/path.h"
+#include "gl/stopwatch.h"
 #include "report/cause_picture.h"
 #include "report/matrix_report.h"
 
@@ -22,6 +23,7 @@ struct Options {
     FidelityOption fidelity{};
     EffectsOption effects{};
     FormatOption format{};
+    DeviceOption device{};
     int frame = 0;
     std::string image{}, mask{}, truth{}, steps{};
 };
@@ -84,8 +86,9 @@ std::string summary(const Cell& cell) {
         text += fmt::format("  drawn by: {}, {}\n", cell.drawnBy, proofText(cell.proof));
     if (cell.effects != Effects::all()) text += fmt::format("  effects: {}\n", toString(cell.effects));
     text += fmt::format(
-        "  cost: {} touched pixels, {} vertices, {:.2f} ms of this processor ({:.2f} ms without shadows)\n",
-        cell.touched.total(), cell.vertices, cell.cpuMs, cell.unshadowedMs);
+        "  cost: {} touched pixels, {} vertices, {:.2f} ms of this {} ({:.2f} ms without shadows)\n",
+        cell.touched.total(), cell.vertices, cell.cpuMs,
+        cell.clock == name(DrawClock::Gpu) ? "GPU" : "processor", cell.unshadowedMs);
     return text;
 }
 
@@ -135,6 +138,7 @@ int run(const Options& options) {
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
+    lab.drawOn(options.device.value());
     lab.use(theOnly("--fidelity", options.fidelity.value({profile})));
     lab.simulate(options.effects.value());
     const Scene& scene = lab.scene();
@@ -201,6 +205,7 @@ void addRender(CLI::App& app, int& status) {
     command->add_option("--steps", options->steps, "write the buffers after every pass")->type_name("DIR");
     options->fidelity.addTo(*command);
     options->effects.addTo(*command);
+    options->device.addTo(*command);
     options->format.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

@@ -30,6 +30,9 @@ struct CapabilityViolation : std::runtime_error {
 /// driver does on the host where the chip can't (Glide on the signed area, the vector units of a PlayStation
 /// 2); read-back; the number of vertices; the scissor, which is as old as OpenGL: what a chip's own rectangle
 /// can't bound, a driver clips.
+///
+/// @pre @p profile outlives the entry points
 GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable next);
+GlTable restrictTo(const Profile&& profile, const BufferFormat& buffers, GlTable next) = delete;
 
 }  // namespace gnomon

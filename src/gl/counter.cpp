@@ -69,17 +69,29 @@ GlTable Counter::count(GlTable next) {
         state->depthWrite = write;
         driver->DepthMask(write);
     };
+    const auto turn = [state](GLenum array, bool on) {
+        if (array == GL_COLOR_ARRAY) state->colours = on;
+        if (array == GL_TEXTURE_COORD_ARRAY) state->coordinates = on;
+    };
+    const auto faces = [state] {
+        const bool varying = state->colours || state->coordinates;
+        return !state->depthWrite && !varying ? Kind::Volume : Kind::Scene;
+    };
     gl.EnableClientState = [=](GLenum array) {
-        if (array == GL_COLOR_ARRAY || array == GL_TEXTURE_COORD_ARRAY) state->arrays.insert(array);
+        turn(array, true);
         driver->EnableClientState(array);
     };
     gl.DisableClientState = [=](GLenum array) {
-        state->arrays.erase(array);
+        turn(array, false);
         driver->DisableClientState(array);
+    };
+    gl.BindBuffer = [=](GLenum target, GLuint buffer) {
+        if (target == GL_ARRAY_BUFFER) state->inBuffer = buffer != 0;
+        driver->BindBuffer(target, buffer);
     };
     gl.VertexPointer = [=](GLint size, GLenum type, GLsizei stride, const void* pointer) {
         state->size = size;
-        state->positions = type == GL_FLOAT && stride == 0 ? pointer : nullptr;
+        state->positions = type == GL_FLOAT && stride == 0 && !state->inBuffer ? pointer : nullptr;
         driver->VertexPointer(size, type, stride, pointer);
     };
     gl.DrawArrays = [=](GLenum mode, GLint first, GLsizei vertices) {
@@ -88,13 +100,13 @@ GlTable Counter::count(GlTable next) {
         if (coversViewport(state->size, state->positions, first, vertices))
             add(Kind::Rectangle);
         else
-            add(!state->depthWrite && state->arrays.empty() ? Kind::Volume : Kind::Scene);
+            add(faces());
         driver->DrawArrays(mode, first, vertices);
     };
     gl.DrawElements = [=](GLenum mode, GLsizei vertices, GLenum type, const void* indices) {
         ++counts->draws;
         counts->vertices += vertices;
-        add(!state->depthWrite && state->arrays.empty() ? Kind::Volume : Kind::Scene);
+        add(faces());
         driver->DrawElements(mode, vertices, type, indices);
     };
     gl.CopyTexImage2D = [=](GLenum target, GLint level, GLenum format, GLint x, GLint y, GLsizei width,

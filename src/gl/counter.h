@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <set>
 
 #include "gl/table.h"
 #include "plan/plan.h"
@@ -18,9 +17,9 @@ struct CallCounts {
 /// Counts the passes of what is drawn through the table that count() returns.
 ///
 /// A pass is a run of draws of one kind with no state call between them. Kinds are told apart by the calls
-/// alone: four vertices that cover the whole viewport are a rectangle, a copy to a texture is a copy, faces
-/// in one constant colour that leave the depth buffer alone are volumes, and all else is the scene. A
-/// scissor's place goes with the geometry: another one within a run does not end it.
+/// alone: four vertices of the caller's memory that cover the whole viewport are a rectangle, a copy to a
+/// texture is a copy, faces in one constant colour that leave the depth buffer alone are volumes, and all
+/// else is the scene. A scissor's place goes with the geometry: another one within a run does not end it.
 class Counter {
   public:
     /// The entry points of @p next, counted.
@@ -34,9 +33,10 @@ class Counter {
     struct State {
         Kind run = Kind::None;  ///< kind of the run that goes on; None after a state call
         bool depthWrite = true;
-        std::set<GLenum> arrays{};  ///< that give fragments colours: of colours or texture coordinates
+        bool colours = false, coordinates = false;  ///< arrays of these give fragments their colours
         GLint size = 4;
-        const void* positions = nullptr;
+        bool inBuffer = false;            ///< pointers are offsets into a buffer
+        const void* positions = nullptr;  ///< in the caller's memory, or unknown
     };
     std::shared_ptr<CallCounts> m_counts = std::make_shared<CallCounts>();
     std::shared_ptr<State> m_state = std::make_shared<State>();

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "gl/blend_program.h"
+#include "gl/extensions.h"
 #include "gl/link_program.h"
 #include "gl/words.h"
 #include "profile/blend.h"
@@ -167,8 +168,13 @@ class Emulation {
     void makeBuffers() {
         for (int c = 0; c < 4; ++c)
             if (channelBits(m_format, c) > 8)
-                throw std::runtime_error(fmt::format("no OSMesa buffer of {}{}{}{} bits", m_format.red,
+                throw std::runtime_error(fmt::format("no buffer of {}, {}, {} and {} bits", m_format.red,
                                                      m_format.green, m_format.blue, m_format.alpha));
+        if (!hasExtension(gl, "GL_EXT_shader_framebuffer_fetch"))
+            throw std::runtime_error(
+                "the driver has no GL_EXT_shader_framebuffer_fetch, which a chip's own arithmetic and "
+                "formats "
+                "take");
         const bool bytes = isBytes();
         const GLenum word = wordBits(m_format) == 16 ? GL_R16UI : GL_R32UI;
         std::array<GLuint, 2> textures{};

@@ -21,8 +21,9 @@ bool needsEmulation(const BufferFormat& format, const ChipArithmetic& chip);
 /// where they don't blend. Framebuffer 0 is the emulated one; others are passed on.
 ///
 /// @pre the context is current, and stays the only one that the entry points are called in
-/// @throws std::runtime_error  a channel has more than 8 bits; from a draw: the blend unit has no such
-/// setting
+/// @throws std::runtime_error  a channel has more than 8 bits, or the driver lacks
+///                             GL_EXT_shader_framebuffer_fetch; from a draw: the blend unit has no such
+///                             setting
 GlTable emulate(const BufferFormat& format, const ChipArithmetic& chip, int width, int height,
                 GlTable driver);
 

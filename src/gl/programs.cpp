@@ -121,7 +121,7 @@ void Programs::useDepthMap(const DepthMapFrame& map, int size, float bias, float
     gl.Uniform1f(uniform("share"), shadowShare);
 }
 
-int Programs::drawSilhouettes(const SilhouetteMesh& mesh, Clip clip) {
+std::optional<int> Programs::drawSilhouettes(const SilhouetteMesh& mesh, Clip clip, bool counts) {
     use("Silhouettes", {{GL_VERTEX_SHADER, kSilhouetteVertex}, {GL_GEOMETRY_SHADER, kSilhouetteGeometry}});
     gl.Uniform4dv(uniform("light"), 1, &mesh.light[0]);
     for (int column = 0; column < 4; ++column)
@@ -131,16 +131,24 @@ int Programs::drawSilhouettes(const SilhouetteMesh& mesh, Clip clip) {
     gl.Uniform4dv(uniform("eye"), 1, &eye[0]);
     gl.Uniform4dv(uniform("frustum"), 1, &frustum[0]);
     gl.Uniform1i(uniform("clipMode"), int(clip));
+    gl.Uniform1i(uniform("counts"), counts);
 
+    const auto draw = [&] {
+        gl.VertexPointer(4, GL_FLOAT, 0, mesh.vertices.data());
+        gl.DrawElements(GL_TRIANGLES_ADJACENCY, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT,
+                        mesh.indices.data());
+    };
+    if (!counts) {
+        draw();
+        return std::nullopt;
+    }
     GLuint counter = 0;
     GLuint zero = 0;
     gl.GenBuffers(1, &counter);
     gl.BindBuffer(GL_ATOMIC_COUNTER_BUFFER, counter);
     gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof zero, &zero, GL_DYNAMIC_READ);
     gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, counter);
-    gl.VertexPointer(4, GL_FLOAT, 0, mesh.vertices.data());
-    gl.DrawElements(GL_TRIANGLES_ADJACENCY, GLsizei(mesh.indices.size()), GL_UNSIGNED_INT,
-                    mesh.indices.data());
+    draw();
     gl.MemoryBarrier(GL_ATOMIC_COUNTER_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     GLuint blockers = 0;
     gl.GetBufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof blockers, &blockers);

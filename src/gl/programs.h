@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "gl/depth_map.h"
@@ -27,8 +28,9 @@ class Programs {
     /// Binds the comparison with a depth map whose faces are the textures bound to units 0, 1, ...
     void useDepthMap(const DepthMapFrame& map, int size, float bias, float shadowShare);
     /// Draws the silhouettes' volumes with a geometry shader.
-    /// @return  how many lit triangles hide the eye, as its atomic counter says
-    int drawSilhouettes(const SilhouetteMesh& mesh, Clip clip);
+    /// @param counts  also how many lit triangles hide the eye
+    /// @return  that number, as its atomic counter says; nothing if it doesn't count
+    std::optional<int> drawSilhouettes(const SilhouetteMesh& mesh, Clip clip, bool counts);
     /// Back to fixed functions.
     void useNone() { gl.UseProgram(0); }
 

@@ -25,6 +25,7 @@ uniform dvec4 clipFromWorld[4];  // columns
 uniform dvec4 eye;
 uniform dvec4 frustum;  // limits of x and y over w, near plane
 uniform int clipMode;   // 0: the frustum, 1: the plane through the eye, 2: nothing
+uniform int counts;     // 1: what hides the eye is counted
 
 in Vertex {
     vec4 at;
@@ -307,7 +308,7 @@ void main() {
     near = near && (clipMode == 0 || isCap);
     bool visible = !isCap || !directional();
 
-    for (int n = 0; n < (isCap ? times : 0); ++n)
+    for (int n = 0; n < (isCap && counts == 1 ? times : 0); ++n)
         if (hidesEye(own)) atomicCounterIncrement(blockers);
     int rounds = times * ((near ? 1 : 0) + (visible ? 1 : 0));
     for (int n = 0; n < rounds; ++n) {

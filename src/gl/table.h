@@ -80,6 +80,7 @@ struct GlTable {
     Call<GLenum, GLenum, GLenum, GLuint> FramebufferRenderbuffer{};
     std::function<GLenum(GLenum)> CheckFramebufferStatus{};
     Call<GLenum, GLint, const GLuint*> ClearBufferuiv{};
+    Call<GLenum, GLenum, GLint> FramebufferParameteri{};
 
     // Programs
     std::function<GLuint(GLenum)> CreateShader{};
@@ -110,6 +111,17 @@ struct GlTable {
     Call<GLenum, GLintptr, GLsizeiptr, void*> GetBufferSubData{};
     Call<GLbitfield> MemoryBarrier{};
     Call<GLenum, GLsizei, GLenum, const void*> DrawElements{};
+
+    // Queries
+    Call<GLsizei, GLuint*> GenQueries{};
+    Call<GLsizei, const GLuint*> DeleteQueries{};
+    Call<GLenum, GLuint> BeginQuery{};
+    Call<GLenum> EndQuery{};
+    Call<GLuint, GLenum, GLuint64*> GetQueryObjectui64v{};
+
+    // What the driver is
+    std::function<const GLubyte*(GLenum)> GetString{};
+    Call<GLenum, GLint*> GetIntegerv{};
 
     Call<> Finish{};
     std::function<GLenum()> GetError{};

@@ -64,7 +64,10 @@ std::optional<BlendEquation> blendEquationOf(GLenum v) {
     return find<BlendEquation>(kEquations, v);
 }
 std::optional<Compare> compareOf(GLenum v) {
-    return find<Compare>(kCompares, v);
+    // As OpenGL numbers them; asked at each call of a frame.
+    static_assert(GL_ALWAYS - GL_NEVER == GLenum(Compare::Always));
+    if (v < GL_NEVER || v > GL_ALWAYS) return std::nullopt;
+    return Compare(v - GL_NEVER);
 }
 std::optional<StencilOp> stencilOpOf(GLenum v) {
     return find<StencilOp>(kStencilOps, v);

@@ -17,6 +17,7 @@ struct AdviceRow {
     MinimalPlan minimal{};     ///< its axes are those that are drawn
     DrawnAmount amount{};      ///< what the minimal plan draws
     DrawnAmount fullAmount{};  ///< what the full plan draws
+    FrameCost cost{};  ///< of the minimal plan, by the model; no passes where the chip has not the rates
     /// Verdict, wrong pixels, causes, ties and what the chip lacks, of the minimal plan.
     Cell cell{};
     /// Why it must be exact, without drawing it: "volumes nest up to 2 deep, 3 can be counted"; empty if
@@ -32,7 +33,8 @@ struct AdviceRow {
 struct Advice {
     std::string profile{}, scene{};
     int width = 0, height = 0, frame = 0;
-    std::string fidelity = "gl";
+    std::string fidelity = "gl", device = "osmesa";
+    std::vector<std::string> rates{};     ///< modelRates() of the chip
     std::vector<AdviceRow> rows{};        ///< as ranked() has them
     std::optional<std::size_t> chosen{};  ///< the cheapest exact row; of proved ones if there are any
 
@@ -47,8 +49,8 @@ struct Advice {
 };
 
 /// @p advice with its rows cheapest first, and the cheapest exact one chosen: the cheapest proved one where
-/// any is. Cost is touched pixels, then
-/// vertices, then passes; what is refused or failed comes last. Rows that cost the same keep their order.
+/// any is. Cost is the model's time where the chip has the rates, then touched pixels, then vertices, then
+/// passes; what is refused or failed comes last. Rows that cost the same keep their order.
 Advice ranked(Advice advice);
 
 /// Draws and judges the minimal plan of every named method.

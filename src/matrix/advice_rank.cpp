@@ -8,7 +8,7 @@ namespace {
 
 bool isCheaper(const AdviceRow& a, const AdviceRow& b) {
     const auto key = [](const AdviceRow& row) {
-        return std::tuple(!row.isDrawn(), row.amount.pixels.total(), row.amount.vertices,
+        return std::tuple(!row.isDrawn(), rankedNs(row.cost), row.amount.pixels.total(), row.amount.vertices,
                           row.minimal.plan.passes.size());
     };
     if (!a.isDrawn() && !b.isDrawn()) return false;

@@ -7,10 +7,14 @@ namespace gnomon {
 Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame) {
     Advice advice{
         .profile = profile.id, .scene = lab.scene().id, .width = width, .height = height, .frame = frame};
+    advice.rates = modelRates(profile);
     const auto before = lab.simulated();
     lab.simulate(Effects::none());
     for (Option& option : options(lab, profile, Shade::Attenuated, width, height, frame)) {
-        AdviceRow row{.method = option.method, .minimal = std::move(option.plan), .amount = option.amount};
+        AdviceRow row{.method = option.method,
+                      .minimal = std::move(option.plan),
+                      .amount = option.amount,
+                      .cost = std::move(option.cost)};
         row.cell = lab.run(profile, option.axes, width, height, frame);
         if (row.isDrawn()) {
             row.fullAmount = sumOf(lab.fullAmounts(profile, option.axes, width, height, frame));
@@ -20,7 +24,7 @@ Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame
                 lab.wrongPixels(profile, row.minimal, width, height, frame) == 0)
                 row.proof = "exact arithmetic has every untied pixel as ray tracing has it";
         }
-        advice.fidelity = row.cell.fidelity;
+        advice.fidelity = row.cell.fidelity, advice.device = row.cell.device;
         advice.rows.push_back(std::move(row));
     }
     lab.simulate(before);

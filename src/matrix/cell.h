@@ -37,6 +37,7 @@ struct Cell {
     int width = 0, height = 0, frame = 0;
     int lights = 1;
     std::string fidelity = "gl";
+    std::string device = "osmesa";     ///< gl/device.h
     Effects effects = Effects::all();  ///< simulated besides what the frame calls for
     std::string drawnBy{};             ///< the named method that an automatic one has chosen; else empty
     Proof proof = Proof::Predicted;    ///< of that choice
@@ -54,7 +55,8 @@ struct Cell {
     int unpredicted = 0;                 ///< untied pixels whose mask is not what the predictor says
     TouchedPixels touched{};             ///< in all passes
     long vertices = 0;                   ///< drawn in all passes
-    double cpuMs = 0, unshadowedMs = 0;  ///< thread CPU time of the frame, and of the same without shadows
+    double cpuMs = 0, unshadowedMs = 0;  ///< time of the frame, and of the same without shadows
+    std::string clock = "thread";        ///< whose time these are: DrawClock
     std::string digest{};                ///< over mask and image, 16 hexadecimal digits
 
     Nesting nesting{};                    ///< bounds for the method's mask; of several lights the largest

@@ -45,6 +45,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"frame", c.frame},
         {"lights", c.lights},
         {"fidelity", c.fidelity},
+        {"device", c.device},
         {"effects", toString(c.effects)},
         {"verdict", name(c.verdict)},
         {"chosen", c.chosen},
@@ -69,6 +70,7 @@ nlohmann::ordered_json toJson(const Cell& c) {
          {{"fronts", c.nesting.fronts}, {"overlap", c.nesting.overlap}, {"levels", c.nesting.levels}}},
         {"warnings", c.warnings},
         {"vertices", c.vertices},
+        {"clock", c.clock},
         {"cpu_ms", rounded(c.cpuMs)},
         {"unshadowed_ms", rounded(c.unshadowedMs)},
         {"digest", c.digest},
@@ -112,7 +114,7 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.axes.mapBias = j.value("map_bias", 0.0f);
     c.lights = j.at("lights");
     c.width = j.at("width"), c.height = j.at("height"), c.frame = j.at("frame");
-    c.fidelity = j.at("fidelity");
+    c.fidelity = j.at("fidelity"), c.device = j.at("device"), c.clock = j.at("clock");
     c.effects = effectsFrom(j.at("effects")).value_or(Effects::all());
     c.drawnBy = j.value("drawn_by", "");
     c.proof = wordOf<Proof>(j.value("proof", name(Proof::Predicted)), kProofs);

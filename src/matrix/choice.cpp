@@ -54,12 +54,14 @@ std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int w
         if (option.missing.empty()) {
             option.plan = lab.minimalPlan(profile, option.axes, width, height, frame);
             option.amount = sumOf(lab.amounts(profile, option.plan, width, height, frame));
+            if (hasModelRates(profile)) option.cost = lab.cost(profile, option.plan, width, height, frame);
         }
         found.push_back(std::move(option));
     }
     std::stable_sort(found.begin(), found.end(), [](const Option& a, const Option& b) {
         const auto key = [](const Option& o) {
-            return std::tuple(!o.missing.empty(), o.amount.pixels.total(), o.amount.vertices, passesOf(o));
+            return std::tuple(!o.missing.empty(), rankedNs(o.cost), o.amount.pixels.total(),
+                              o.amount.vertices, passesOf(o));
         };
         return key(a) < key(b);
     });

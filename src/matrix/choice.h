@@ -14,10 +14,12 @@ struct Option {
     std::vector<Missing> missing{};  ///< what the chip lacks; then there is no more
     MinimalPlan plan{};
     DrawnAmount amount{};  ///< of the minimal plan
+    FrameCost cost{};      ///< of it, by the model; no passes where the chip has not the rates
 };
 
-/// All named methods but none, in one shade, cheapest first: by touched pixels, vertices, passes, and the
-/// order of the table. Those that the chip can't run come last.
+/// All named methods but none, in one shade, cheapest first: by the model's time where the chip has the rates
+/// (hasModelRates()), then by touched pixels, vertices, passes, and the order of the table. Those that the
+/// chip can't run come last.
 std::vector<Option> options(Lab& lab, const Profile& profile, Shade shade, int width, int height, int frame);
 
 struct Choice {

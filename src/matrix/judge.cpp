@@ -1,45 +1,36 @@
 #include "matrix/judge.h"
 
 #include <algorithm>
+#include <optional>
+
+#include "matrix/boundary.h"
 
 namespace gnomon {
-namespace {
-
-/// Whether a pixel within @p reach of (x, y), diagonally too, is in the other class of truth.
-bool nearBoundary(const Truth& truth, int x, int y, int reach) {
-    const bool shadow = truth.shadow[std::size_t(y) * truth.width + x] == Shadow::InShadow;
-    for (int v = std::max(0, y - reach); v <= std::min(truth.height - 1, y + reach); ++v) {
-        for (int u = std::max(0, x - reach); u <= std::min(truth.width - 1, x + reach); ++u)
-            if ((truth.shadow[std::size_t(v) * truth.width + u] == Shadow::InShadow) != shadow) return true;
-    }
-    return false;
-}
-
-}  // namespace
-
 Judgement judge(const Truth& truth, const std::vector<bool>& maskShadow, int maskDivisor, bool clamps) {
     Judgement out;
     out.pixels.assign(truth.shadow.size(), PixelVerdict::Right);
     out.tiedByTruth.assign(truth.shadow.size(), false);
-    for (int y = 0; y < truth.height; ++y) {
-        for (int x = 0; x < truth.width; ++x) {
-            const std::size_t i = std::size_t(y) * truth.width + x;
-            const bool countTied =
-                truth.tie[i] == Tie::Count || (clamps && truth.tie[i] == Tie::CountIfClamped);
-            // Dark whatever the mask says, so neither a tie of the count nor the mask decides anything.
-            if (truth.facesAway[i] && truth.tie[i] != Tie::Truth) continue;
-            if (countTied || truth.tie[i] == Tie::Truth) {
-                ++(countTied ? out.tiedCount : out.tiedTruth);
-                out.pixels[i] = PixelVerdict::Tied;
-                out.tiedByTruth[i] = !countTied;
-                continue;
-            }
-            if (maskShadow[i] == truth.blocked[i]) continue;
-            const bool edge = nearBoundary(truth, x, y, maskDivisor);
-            ++(edge ? out.edge : out.interior);
-            out.pixels[i] = edge ? PixelVerdict::WrongEdge : PixelVerdict::WrongInterior;
+    std::optional<Boundary> boundary;  // most masks have no wrong pixel
+    const auto judgePixel = [&](std::size_t i) {
+        // Dark whatever the mask says, so neither a tie of the count nor the mask decides anything.
+        if (truth.facesAway[i] && truth.tie[i] != Tie::Truth) return;
+        const bool countTied = truth.tie[i] == Tie::Count || (clamps && truth.tie[i] == Tie::CountIfClamped);
+        if (countTied || truth.tie[i] == Tie::Truth) {
+            ++(countTied ? out.tiedCount : out.tiedTruth);
+            out.pixels[i] = PixelVerdict::Tied;
+            out.tiedByTruth[i] = !countTied;
+            return;
         }
-    }
+        if (maskShadow[i] == truth.blocked[i]) return;
+        if (!boundary) boundary.emplace(truth, maskDivisor);
+        const bool edge = boundary->isNear(int(i % truth.width), int(i / truth.width));
+        ++(edge ? out.edge : out.interior);
+        out.pixels[i] = edge ? PixelVerdict::WrongEdge : PixelVerdict::WrongInterior;
+    };
+    // Nearly all pixels are right and not tied.
+    auto mask = maskShadow.begin(), blocked = truth.blocked.begin();
+    for (std::size_t i = 0; i < out.pixels.size(); ++i, ++mask, ++blocked)
+        if (*mask != *blocked || truth.tie[i] != Tie::None) judgePixel(i);
     return out;
 }
 

@@ -7,6 +7,7 @@
 
 #include "gl/blend_program.h"
 #include "gl/capability.h"
+#include "gl/stopwatch.h"
 #include "matrix/choice.h"
 #include "matrix/depth_ties.h"
 #include "matrix/frame_predictor.h"
@@ -14,6 +15,7 @@
 #include "matrix/needs_finder.h"
 #include "matrix/result_key.h"
 #include "method/capacity.h"
+#include "method/shader_volumes.h"
 #include "volume/blockers.h"
 #include "volume/nesting.h"
 #include "volume/silhouette_finder.h"
@@ -75,6 +77,7 @@ struct Lab::Impl {
 
     Scene scene;
     FidelityChoice fidelity{};
+    Device device = defaultDevice();
     std::optional<Effects> effects{};
     std::optional<NeedsFinder> needsFinder{};
     std::optional<SilhouetteFinder> finder{};
@@ -93,6 +96,7 @@ struct Lab::Impl {
         truths{};  ///< by light, depth format
     std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
+    std::map<std::string, std::vector<std::int64_t>> passed{};  ///< fragments by pass; keyed as results are
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
     std::map<int, bool> eyeInside{};
     std::map<std::tuple<int, VolumeKey, int, int>, Nesting> nestings{};  ///< by light, volumes, size
@@ -112,6 +116,7 @@ struct Lab::Impl {
         truths.clear();
         shapes.clear();
         results.clear();
+        passed.clear();
         unshadowed.clear();
         eyeInside.clear();
         if (predictor) predictor->select(view());
@@ -212,7 +217,7 @@ struct Lab::Impl {
                      });
         chip.everywhere = emulatesEverywhere();
         auto& context = contexts[{format, chip, key.width, key.height}];
-        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip);
+        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip, device);
         return *context;
     }
 
@@ -368,6 +373,20 @@ struct Lab::Impl {
         return drawnAmounts(drawing.plan, surfacesOf(), frames);
     }
 
+    FrameCost costOf(const Profile& profile, const Drawing& drawing, double hostMs) {
+        const std::vector<DrawnAmount> drawn = amounts(profile, drawing);
+        std::vector<std::int64_t>& samples = passed[keyOf(profile, drawing)];
+        if (samples.empty()) samples = drawOnce(profile, drawing, {.countsSamples = true}).passSamples;
+        return frameCost(drawing.plan, profile, drawn, samples, hostMs);
+    }
+
+    /// The same for drawings that show the same.
+    std::string keyOf(const Profile& profile, const Drawing& drawing) {
+        return (emulatesEverywhere() ? "everywhere " : "") +
+               resultKey(bufferFormatOf(profile), arithmeticOf(profile, fidelity), drawing.plan, drawing.axes,
+                         volumeKeys(profile, drawing.axes), drawing.volumes);
+    }
+
     FramePredictor& predictorOf() {
         if (!predictor) {
             predictor.emplace(scene);
@@ -491,14 +510,52 @@ struct Lab::Impl {
             cell.warnings.push_back(*warning);
     }
 
-    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const AfterPass& each = {}) {
+    /// Milliseconds that the host needs to build what @p drawing draws besides the surfaces.
+    double buildMs(const Profile& profile, const Drawing& drawing) {
+        const Axes& axes = drawing.axes;
+        if (axes.store == Store::None) return 0;
+        const auto& passes = drawing.plan.passes;
+        const bool byShader = std::any_of(passes.begin(), passes.end(),
+                                          [](const Pass& pass) { return pass.drawn == Drawn::Silhouettes; });
+        if (!finder) finder.emplace(scene);
+        const double start = threadCpuMs();
+        for (int i = 0; i < lights(); ++i) {
+            if (axes.store == Store::DepthMap) {
+                depthMapFrame(scene, light(i), surfacesOf());
+                continue;
+            }
+            // The mesh with its adjacency is made once for a scene, as the finder's edges are.
+            if (byShader && axes.count != Count::PlusPlusZp) continue;
+            const auto casters = finder->lit(light(i).position, axes.silhouette, axes.capFaces);
+            const VolumeKey k = volumeKey(profile, axes, i);
+            if (!byShader) frameVolumes(scene, casters, light(i).position, view(), k.parts, k.style);
+            if (axes.count == Count::PlusPlusZp) eyeBlockers(scene, casters, light(i).position, view().eye);
+        }
+        return threadCpuMs() - start;
+    }
+
+    FrameTime timed(const Profile& profile, const Drawing& drawing, bool byPass) {
+        FrameTime time{.buildMs = buildMs(profile, drawing)};
+        const Rendered rendered = drawOnce(profile, drawing, {.timesPasses = byPass});
+        time.drawMs = rendered.cpuMs;
+        if (!byPass) return time;
+        const auto& passes = drawing.plan.passes;
+        const auto isVolume = [](const Pass& pass) { return pass.kind == PassKind::Volume; };
+        const auto first = std::find_if(passes.begin(), passes.end(), isVolume);
+        const auto last = std::find_if(passes.rbegin(), passes.rend(), isVolume).base();
+        for (auto pass = first; pass < last; ++pass)
+            time.maskMs += rendered.passMs[std::size_t(pass - passes.begin())];
+        return time;
+    }
+
+    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const RenderOptions& options = {}) {
         const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
             if (index != last) lightFrame(profile, drawing, index);
             last = index;
             return current;
         };
         return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(), frames,
-                      each);
+                      options);
     }
 
     void draw(Cell& cell, const Profile& profile, const Drawing& drawing, Pictures* pictures,
@@ -508,7 +565,7 @@ struct Lab::Impl {
         Surface& surface = contextOf(profile, plan, fidelity);
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
-        Rendered rendered = drawOnce(profile, drawing, each);
+        Rendered rendered = drawOnce(profile, drawing, {.afterPass = each});
         // Without masks nothing is in shadow; a light that was left out has none.
         const bool isMasked = !plan.masks.empty();
         rendered.masks.resize(std::size_t(lights()), isMasked ? std::vector<bool>{} : rendered.masks.front());
@@ -520,7 +577,7 @@ struct Lab::Impl {
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
-        cell.cpuMs = rendered.cpuMs;
+        cell.cpuMs = rendered.cpuMs, cell.clock = name(clockOf(surface));
         const Judgement judgement =
             lights() == 0 ? unmasked(pictures) : judged(cell, profile, drawing, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
@@ -562,6 +619,8 @@ struct Lab::Impl {
             if (pictures) {
                 masks.push_back(shadowPicture(*truth, mask));
                 truthPictures.push_back(truthPicture(*truth));
+                pictures->judgements.push_back(judgements.back());
+                pictures->truths.push_back(truth);
             }
             const Explained one = explained(profile, drawing, format, chip, i, *truth, judgements.back(),
                                             rendered.values[std::size_t(i)]);
@@ -610,6 +669,13 @@ void Lab::use(const FidelityChoice& choice) {
     m_impl->fidelity = choice;
 }
 
+void Lab::drawOn(Device device) {
+    Impl& m = *m_impl;
+    if (m.device == device) return;
+    m.device = device;
+    m.contexts.clear(), m.results.clear(), m.unshadowed.clear();
+}
+
 void Lab::simulate(const std::optional<Effects>& effects) {
     m_impl->effects = effects;
 }
@@ -640,23 +706,27 @@ int Lab::wrongPixels(const Profile& profile, const MinimalPlan& minimal, int wid
     return m_impl->wrongPixels(profile, Impl::drawingOf(minimal));
 }
 
-std::vector<std::vector<double>> Lab::frameMs(const Profile& profile, const Axes& axes,
-                                              std::span<const Effects> ways, int width, int height, int frame,
-                                              int repeats) {
-    m_impl->select({width, height, frame});
-    const auto before = m_impl->effects;
+std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> ways, int width, int height,
+                                                    int frame, int repeats, bool byPass) {
+    Impl& m = *m_impl;
+    m.select({width, height, frame});
+    const auto effects = m.effects;
+    const auto fidelity = m.fidelity;
+    const auto as = [&](const TimedWay& way) { m.effects = way.effects, m.fidelity = way.fidelity; };
     std::vector<Drawing> drawings;
-    for (const Effects& effects : ways) {
-        m_impl->effects = effects;
-        drawings.push_back(m_impl->drawingOf(profile, normalised(axes)));
+    for (const TimedWay& way : ways) {
+        as(way);
+        drawings.push_back(m.drawingOf(way.profile, normalised(way.axes)));
+        if (way.shaderVolumes) drawings.back().plan = withShaderVolumes(std::move(drawings.back().plan));
     }
-    m_impl->effects = before;
-    std::vector<std::vector<double>> times(ways.size());
+    std::vector<std::vector<FrameTime>> times(ways.size());
     for (int round = 0; round <= repeats; ++round)
-        for (std::size_t way = 0; way < ways.size(); ++way) {
-            const double ms = m_impl->drawOnce(profile, drawings[way]).cpuMs;
-            if (round > 0) times[way].push_back(ms);
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            as(ways[i]);
+            const FrameTime time = m.timed(ways[i].profile, drawings[i], byPass);
+            if (round > 0) times[i].push_back(time);
         }
+    m.effects = effects, m.fidelity = fidelity;
     return times;
 }
 
@@ -671,6 +741,19 @@ std::vector<DrawnAmount> Lab::fullAmounts(const Profile& profile, const Axes& gi
     m_impl->select({width, height, frame});
     const Axes axes = normalised(given);
     return m_impl->amounts(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)});
+}
+
+FrameCost Lab::cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
+                    double hostMs) {
+    m_impl->select({width, height, frame});
+    return m_impl->costOf(profile, Impl::drawingOf(minimal), hostMs);
+}
+
+FrameCost Lab::fullCost(const Profile& profile, const Axes& given, int width, int height, int frame,
+                        double hostMs) {
+    m_impl->select({width, height, frame});
+    const Axes axes = normalised(given);
+    return m_impl->costOf(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)}, hostMs);
 }
 
 std::vector<Missing> Lab::missingFor(const Profile& profile, const Axes& axes, const Plan& plan) {
@@ -715,7 +798,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
     cell.width = width, cell.height = height, cell.frame = frame;
     cell.pixels = width * height;
     cell.lights = m_impl->lights();
-    cell.fidelity = name(m_impl->fidelity.fidelity);
+    cell.fidelity = name(m_impl->fidelity.fidelity), cell.device = name(m_impl->device);
     cell.effects = m_impl->effects.value_or(Effects::all());
     try {
         const Plan plan = m_impl->planOf(profile, axes);
@@ -727,10 +810,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
         }
         m_impl->addNesting(cell, profile, axes, plan);
         const Drawing drawing = m_impl->drawingOf(profile, axes);
-        const std::string key =
-            (m_impl->emulatesEverywhere() ? "everywhere " : "") +
-            resultKey(bufferFormatOf(profile), arithmeticOf(profile, m_impl->fidelity), drawing.plan,
-                      drawing.axes, m_impl->volumeKeys(profile, drawing.axes), drawing.volumes);
+        const std::string key = m_impl->keyOf(profile, drawing);
         const auto known = m_impl->results.find(key);
         if (known != m_impl->results.end() && !pictures && !afterPass) {
             Cell same = known->second;

@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "cost/model.h"
 #include "cost/touched.h"
 #include "gl/chip_arithmetic.h"
 #include "gl/renderer.h"
 #include "matrix/cell.h"
 #include "matrix/frame_predictor.h"
+#include "matrix/frame_time.h"
 #include "matrix/judge.h"
 #include "needs/minimal_plan.h"
 #include "predict/causes.h"
@@ -27,6 +29,9 @@ struct Pictures {
     Image truth{};                           ///< the same from the tracer
     std::vector<std::vector<bool>> masks{};  ///< Rendered::masks: by light; empty of one that was left out
     Judgement judgement{};
+    // By light that was drawn; of several, a light that was left out has no entry.
+    std::vector<Judgement> judgements{};
+    std::vector<std::shared_ptr<const Truth>> truths{};  ///< what they are held against
     std::vector<Cause> causes{};  ///< by pixel: why it is wrong; of several lights the first that is
 };
 
@@ -45,6 +50,9 @@ class Lab {
     /// Whose arithmetic cells are drawn with from now on; at first OpenGL's.
     void use(const FidelityChoice& choice);
 
+    /// What cells are drawn on from now on; at first the default device.
+    void drawOn(Device device);
+
     /// What cells are drawn with from now on, besides what their frames call for. Without a choice, as at
     /// first, named methods are drawn as they are published, with everything, and automatic ones with what
     /// their frames call for.
@@ -59,12 +67,11 @@ class Lab {
              Pictures* pictures = nullptr,
              const std::function<void(Surface&, std::size_t pass)>& afterPass = {});
 
-    /// Thread CPU time of a frame's OpenGL calls, milliseconds, drawn in several ways in turn: by @p ways, of
-    /// each @p repeats times after one that is not counted. Nothing is judged.
-    /// @pre the chip lacks nothing
-    std::vector<std::vector<double>> frameMs(const Profile& profile, const Axes& axes,
-                                             std::span<const Effects> ways, int width, int height, int frame,
-                                             int repeats);
+    /// What a frame takes, drawn in several ways in turn: by @p ways, of each @p repeats times after one that
+    /// is not counted. Nothing is judged, and nothing that was built before is used, but the scene's edges.
+    /// @param byPass  waits after each pass, for FrameTime::maskMs
+    std::vector<std::vector<FrameTime>> frameTimes(std::span<const TimedWay> ways, int width, int height,
+                                                   int frame, int repeats, bool byPass = false);
 
     /// The full plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
@@ -86,6 +93,16 @@ class Lab {
     /// The same of the full plan of @p axes.
     std::vector<DrawnAmount> fullAmounts(const Profile& profile, const Axes& axes, int width, int height,
                                          int frame);
+
+    /// What a minimal plan would take on the chip, by the model. It is drawn once, for the fragments that
+    /// pass.
+    /// @param hostMs  as frameCost() takes it
+    /// @pre the chip lacks nothing for it
+    FrameCost cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
+                   double hostMs = 0);
+    /// The same of the full plan of @p axes.
+    FrameCost fullCost(const Profile& profile, const Axes& axes, int width, int height, int frame,
+                       double hostMs = 0);
 
     /// What @p profile lacks for the plan of a cell, and what the silhouette's builder can't take of the
     /// scene.

@@ -27,6 +27,7 @@ std::vector<Group> groupsOf(const MatrixRequest& request) {
 void runGroup(const MatrixRequest& request, const Group& group,
               const std::function<void(std::string)>& emit) {
     Lab lab(*group.scene);
+    lab.drawOn(request.device);
     const auto [width, height] = group.size;
     std::vector<std::string> chosen;
     for (const Profile& profile : request.profiles) {
@@ -46,9 +47,10 @@ void runGroup(const MatrixRequest& request, const Group& group,
     }
 }
 
-Cell failedCell(const Group& group, const FidelityChoice& fidelity, const Axes& axes, const Profile& profile,
-                const std::string& error) {
+Cell failedCell(const Group& group, Device device, const FidelityChoice& fidelity, const Axes& axes,
+                const Profile& profile, const std::string& error) {
     Cell cell;
+    cell.device = name(device);
     cell.fidelity = name(fidelity.fidelity);
     cell.profile = profile.id, cell.method = methodId(axes), cell.scene = group.scene->id;
     cell.axes = axes;
@@ -91,7 +93,7 @@ std::vector<Cell> runMatrix(const MatrixRequest& request,
             if (i < end.lines.size())
                 cell = cellFromJson(nlohmann::ordered_json::parse(end.lines[i]));
             else
-                cell = failedCell(groups[job], request.fidelities[i / perFidelity],
+                cell = failedCell(groups[job], request.device, request.fidelities[i / perFidelity],
                                   request.methods[i % perFidelity / request.profiles.size()],
                                   request.profiles[i % request.profiles.size()], end.error);
         }

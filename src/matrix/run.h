@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gl/chip_arithmetic.h"
+#include "gl/device.h"
 #include "matrix/cell.h"
 #include "needs/effects.h"
 #include "profile/profile.h"
@@ -27,6 +28,7 @@ struct MatrixRequest {
     std::vector<int> frames{};
     std::vector<FidelityChoice> fidelities{{}};
     std::optional<Effects> effects{};  ///< Lab::simulate()
+    Device device = defaultDevice();   ///< Lab::drawOn()
     int jobs = 1;
     int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
 };

@@ -208,6 +208,7 @@ void PlanBuilder::countInStencil(int light) {
             axes.count == Count::AtomicZp;
         if (axes.count == Count::AtomicZp) {
             p.drawn = Drawn::Silhouettes;
+            p.countsBlockers = true;
             p.label = "sides and far caps that a geometry shader makes: count +1 and -1";
         }
     };

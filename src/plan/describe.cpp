@@ -120,7 +120,8 @@ std::string describeState(const Pass& pass, std::span<const MaskWindow> windows)
     if (pass.program == Program::CountFaces)
         add(fmt::format("program: 16 bits of RG, front {:+d} back {:+d}", pass.frontCount, -pass.frontCount));
     if (pass.program == Program::ShadeCount) add("program: by the 16 bits of RG");
-    if (pass.drawn == Drawn::Silhouettes) add("geometry shader with an atomic counter");
+    if (pass.drawn == Drawn::Silhouettes)
+        add(pass.countsBlockers ? "geometry shader with an atomic counter" : "geometry shader");
     if (pass.shading == Shading::Mask) add("depth map compared");
     if (pass.texture != MaskTexture::None) add(pass.frameTexture ? "frame texture" : "mask texture");
     // A texture of alpha leaves the colour to the draw.

@@ -106,7 +106,7 @@ void needPrograms(Wants& wants, const Profile& p, const Pass& pass) {
     wants.need(p.framebufferFetch || !fetches, "framebuffer_fetch",
                "a fragment program that reads the frame buffer");
     wants.need(p.geometryShaders || !extrudes, "geometry_shaders", "geometry shaders with adjacency");
-    wants.need(p.atomicCounters || !extrudes, "atomic_counters", "atomic counters");
+    wants.need(p.atomicCounters || !pass.countsBlockers, "atomic_counters", "atomic counters");
     wants.need(p.depthClamp || !pass.depthClamp, "depth_clamp", "depth clamp");
 }
 
@@ -196,15 +196,20 @@ void needPass(Wants& wants, const Profile& p, const Pass& pass) {
 
 }  // namespace
 
-std::int64_t frameBytes(const Profile& p, int width, int height) {
+PixelBytes pixelBytes(const Profile& p) {
     const auto bytes = [](int bits) { return bits <= 8 ? 1 : bits <= 16 ? 2 : 4; };
-    int colour = 0;
+    PixelBytes pixel;
     if (!p.colourFormats.empty()) {
         const ColourFormat& f = p.colourFormats.front();
-        colour = bytes(f.red + f.green + f.blue + f.alpha);
+        pixel.colour = bytes(f.red + f.green + f.blue + f.alpha);
     }
-    const int depth = p.depthBits.empty() ? 0 : bytes(p.depthBits.front());
-    return std::int64_t(width) * height * (2 * colour + depth);
+    if (!p.depthBits.empty()) pixel.depth = bytes(p.depthBits.front());
+    return pixel;
+}
+
+std::int64_t frameBytes(const Profile& profile, int width, int height) {
+    const PixelBytes pixel = pixelBytes(profile);
+    return std::int64_t(width) * height * (2 * pixel.colour + pixel.depth);
 }
 
 std::vector<Missing> missing(const Profile& profile, const Plan& plan) {

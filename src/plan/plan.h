@@ -40,7 +40,7 @@ enum class Faces { Front, Back, Both };
 enum class Drawn {
     Volumes,     ///< the parts of volumes, cut by the host
     Blockers,    ///< the casters' lit triangles between light and eye, onto one pixel: a view of 1x1 pixels
-    Silhouettes  ///< volumes that a geometry shader makes of the casters' edges, counting what hides the eye
+    Silhouettes  ///< volumes that a geometry shader makes of the casters' edges
 };
 
 /// Fragment programs, on chips that have them.
@@ -148,6 +148,7 @@ struct Pass {
     Shading shading = Shading::None;  ///< Scene
     Drawn drawn = Drawn::Volumes;     ///< Volume
     Parts parts{};                    ///< Volume: of Drawn::Volumes
+    bool countsBlockers = false;      ///< Volume: Drawn::Silhouettes count what hides the eye, atomically
     int volume = kAllVolumes;         ///< Volume: index into the frame's volumes
     Faces faces = Faces::Both;        ///< Volume: the rest is culled
     glm::vec4 colour{1};  ///< constant source colour of volumes and rectangles; the value of a clear
@@ -238,8 +239,15 @@ struct Missing {
 /// run.
 std::vector<Missing> missing(const Profile& profile, const Plan& plan);
 
+/// Of one pixel of the buffers that gnomon renders into on a chip, in words of 1, 2 or 4 bytes.
+struct PixelBytes {
+    int colour = 0;
+    int depth = 0;  ///< 24 bits share a 32-bit word with the stencil; 0: no depth buffer
+    bool operator==(const PixelBytes&) const = default;
+};
+PixelBytes pixelBytes(const Profile& profile);
+
 /// The bytes of a frame of this size on the chip: two colour buffers and one of depth.
-/// Depth of 24 bits shares a 32-bit word with the stencil.
 std::int64_t frameBytes(const Profile& profile, int width, int height);
 
 /// Whether a value of the finished mask at @p tap is a shadow: a stencil value, a count of 16 bits, or 8 bits

@@ -231,6 +231,8 @@ const std::vector<Field>& fields() {
         {"megapixels_per_second", rate(&Profile::megapixelsPerSecond, 1e6)},
         {"megatriangles_per_second", rate(&Profile::megatrianglesPerSecond, 1e6)},
         {"gigabytes_per_second", rate(&Profile::gigabytesPerSecond, 1e5)},
+        {"on_chip_frame", yesOrNo(&Profile::onChipFrame)},
+        {"bus_megabytes_per_second", rate(&Profile::busMegabytesPerSecond, 1e6)},
     };
     return kFields;
 }

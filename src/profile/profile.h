@@ -195,6 +195,8 @@ struct Profile {
     int maxWidth = 0, maxHeight = 0;  ///< of a 3D frame with depth, pixels; 0: no limit
     std::int64_t frameBytes = 0;      ///< memory for two colour buffers and depth; 0: no limit
     double megapixelsPerSecond = 0, megatrianglesPerSecond = 0, gigabytesPerSecond = 0;
+    bool onChipFrame = false;          ///< colour and depth lie on the chip: no memory limits their traffic
+    double busMegabytesPerSecond = 0;  ///< between chip and host, one way at a time; FrameTexture::Host
 
     /// One fact of the file as written, for people.
     struct Fact {

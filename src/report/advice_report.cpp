@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "matrix/cell_json.h"
+#include "report/cost_notes.h"
+#include "report/device_listing.h"
 #include "report/gl_listing.h"
 #include "report/plan_json.h"
 #include "report/table.h"
@@ -63,9 +65,29 @@ std::string drawnAs(const AdviceRow& row) {
     return id == row.method ? "" : id;
 }
 
+bool isTimed(const AdviceRow& row) {
+    return row.cost.ms() > 0;
+}
+
+/// "2.13 ms", or pixels where the chip has no rates.
+std::string costOf(const AdviceRow& row) {
+    return isTimed(row) ? fmt::format("{} ms", msText(row.cost.ms()))
+                        : fmt::format("{} pixels", row.amount.pixels.total());
+}
+
+/// What @p cheaper would save: the model's time, or pixels where the chip has no rates.
+std::string savedText(const AdviceRow& row, const AdviceRow& cheaper) {
+    return isTimed(row) ? fmt::format("take {:.2f} ms less", row.cost.ms() - cheaper.cost.ms())
+                        : fmt::format("touch {} pixels less",
+                                      row.amount.pixels.total() - cheaper.amount.pixels.total());
+}
+
 std::string tableText(const Advice& advice) {
-    std::vector<std::vector<std::string>> rows{{"method", "verdict", "scene", "volume", "rectangle", "copy",
-                                                "vertices", "touched", "of full", "why"}};
+    const bool hasTimes = std::any_of(advice.rows.begin(), advice.rows.end(), isTimed);
+    std::vector<std::vector<std::string>> rows{
+        {"method", "verdict", "scene", "volume", "rectangle", "copy", "vertices", "touched", "of full"}};
+    if (hasTimes) rows[0].insert(rows[0].end(), {"ms", "limit"});
+    rows[0].push_back("why");
     for (std::size_t i = 0; i < advice.rows.size(); ++i) {
         const AdviceRow& row = advice.rows[i];
         if (!row.isDrawn()) continue;
@@ -74,7 +96,10 @@ std::string tableText(const Advice& advice) {
         rows.push_back({fmt::format("{}{}", row.method, advice.chosen == i ? "*" : ""), verdictText(row),
                         number(passes.scene), number(passes.volume), number(passes.rectangle),
                         number(passes.copy), number(row.amount.vertices), number(row.amount.pixels.total()),
-                        ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total()), whyOf(row)});
+                        ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())});
+        if (hasTimes)
+            rows.back().insert(rows.back().end(), {msText(row.cost.ms()), limitText(row.cost.limit())});
+        rows.back().push_back(whyOf(row));
     }
     return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows)) : "";
 }
@@ -132,12 +157,17 @@ std::string choiceText(const Advice& advice) {
                     "does.",
                     row.method, row.proof.empty() ? "" : "proved ", row.amount.pixels.total(),
                     ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())));
+    if (isTimed(row))
+        line(fmt::format(
+            "By a model of peak rates, not measured, that takes at least {} ms, limited by {} ({}).",
+            msText(row.cost.ms()), limitText(row.cost.limit()), fmt::join(advice.rates, "; ")));
+    for (const std::string& what : row.cost.missing) line(fmt::format("Left out: {}.", what));
     if (const std::string as = drawnAs(row); !as.empty()) line(fmt::format("It is drawn as {}.", as));
     line(row.proof.empty() ? "Nothing proves it: it was drawn and compared with truth."
                            : fmt::format("Proved: {}.", row.proof));
     std::vector<std::string> unproved;
     for (const AdviceRow* other : advice.cheaperUnproved())
-        unproved.push_back(fmt::format("{} ({} pixels)", other->method, other->amount.pixels.total()));
+        unproved.push_back(fmt::format("{} ({})", other->method, costOf(*other)));
     if (!unproved.empty())
         line(fmt::format("Cheaper and exact in this frame, though nothing proves it: {}.",
                          fmt::join(unproved, ", ")));
@@ -147,16 +177,17 @@ std::string choiceText(const Advice& advice) {
     } else if (!cheaper) {
         line(fmt::format("Nothing that {} can draw is cheaper.", advice.profile));
     } else {
-        line(fmt::format("The next cheaper, {}, would touch {} pixels less and get {}.", cheaper->method,
-                         row.amount.pixels.total() - cheaper->amount.pixels.total(), wrongText(*cheaper)));
+        line(fmt::format("The next cheaper, {}, would {} and get {}.", cheaper->method,
+                         savedText(row, *cheaper), wrongText(*cheaper)));
     }
     return text;
 }
 
 std::string adviceText(const Advice& advice) {
-    std::string text = fmt::format("{} on {} at {}x{}, frame {}{}\n\n", advice.scene, advice.profile,
+    std::string text = fmt::format("{} on {} at {}x{}, frame {}{}{}\n\n", advice.scene, advice.profile,
                                    advice.width, advice.height, advice.frame,
-                                   advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "");
+                                   advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "",
+                                   deviceText(advice.device));
     text += tableText(advice);
     text += undrawnText("Refused for want of", advice, Verdict::Refused);
     text += undrawnText("Failed", advice, Verdict::Failed);
@@ -183,6 +214,7 @@ Json rowJson(const Advice& advice, std::size_t index) {
     json["drawn_vertices"] = row.amount.vertices;
     json["touched"] = toJson(row.amount.pixels);
     json["full"] = {{"drawn_vertices", row.fullAmount.vertices}, {"touched", toJson(row.fullAmount.pixels)}};
+    json["model"] = row.cost.passes.empty() ? Json() : toJson(row.cost);
     json["effects"] = toJson(row.minimal.notes);
     return json;
 }
@@ -226,6 +258,8 @@ Json adviceJson(const Advice& advice) {
             {"height", advice.height},
             {"frame", advice.frame},
             {"fidelity", advice.fidelity},
+            {"rates", advice.rates},
+            {"device", advice.device},
             {"chosen", chosen ? Json(chosen->method) : Json()},
             {"next_cheaper", shortJson(advice.nextCheaper())},
             {"cheaper_unproved", unproved},
@@ -235,16 +269,14 @@ Json adviceJson(const Advice& advice) {
 }
 
 std::string adviceCsv(const Advice& advice) {
-    std::string text = csvLine({"profile",       "scene",          "width",
-                                "height",        "frame",          "fidelity",
-                                "method",        "drawn_as",       "chosen",
-                                "verdict",       "proof",          "missing",
-                                "causes",        "wrong_edge",     "wrong_interior",
-                                "passes_scene",  "passes_volume",  "passes_rectangle",
-                                "passes_copy",   "vertices",       "touched_clear",
-                                "touched_scene", "touched_volume", "touched_rectangle",
-                                "touched_copy",  "touched",        "full_vertices",
-                                "full_touched"});
+    std::string text =
+        csvLine({"profile",        "scene",         "width",         "height",           "frame",
+                 "fidelity",       "device",        "method",        "drawn_as",         "chosen",
+                 "verdict",        "proof",         "missing",       "causes",           "wrong_edge",
+                 "wrong_interior", "passes_scene",  "passes_volume", "passes_rectangle", "passes_copy",
+                 "vertices",       "touched_clear", "touched_scene", "touched_volume",   "touched_rectangle",
+                 "touched_copy",   "touched",       "full_vertices", "full_touched",     "model_ms",
+                 "model_limit"});
     for (std::size_t i = 0; i < advice.rows.size(); ++i) {
         const AdviceRow& row = advice.rows[i];
         const PassCounts passes = countPasses(row.minimal.plan);
@@ -260,6 +292,7 @@ std::string adviceCsv(const Advice& advice) {
                          number(advice.height),
                          number(advice.frame),
                          advice.fidelity,
+                         advice.device,
                          row.method,
                          methodId(row.minimal.axes),
                          advice.chosen == i ? "true" : "false",
@@ -281,7 +314,9 @@ std::string adviceCsv(const Advice& advice) {
                          number(p.copy),
                          number(p.total()),
                          number(row.fullAmount.vertices),
-                         number(row.fullAmount.pixels.total())});
+                         number(row.fullAmount.pixels.total()),
+                         isTimed(row) ? number(row.cost.ms()) : "",
+                         isTimed(row) ? limitText(row.cost.limit()) : ""});
     }
     return text;
 }

@@ -432,7 +432,7 @@ std::vector<std::string> beyondOpenGl11(const Plan& plan) {
              "a program that reads the frame buffer: GL_EXT_shader_framebuffer_fetch");
         need(p.program == Program::ShadeCount,
              "a program that reads the frame buffer: GL_EXT_shader_framebuffer_fetch");
-        need(p.drawn == Drawn::Silhouettes, "geometry shaders with an atomic counter: OpenGL 4.2");
+        need(p.countsBlockers, "geometry shaders with an atomic counter: OpenGL 4.2");
         need(p.target == Target::DepthMap, "framebuffer objects: OpenGL 3.0");
         need(p.shading == Shading::Mask, "programs that sample a depth texture: OpenGL 2.0");
     }

@@ -15,23 +15,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Rows under a head, in any format; JSON objects take the head's words as keys.
-std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
-    if (format == Format::Text) return alignColumns(rows);
-    if (format == Format::Csv) {
-        std::string text;
-        for (const auto& row : rows) text += csvLine(row);
-        return text;
-    }
-    Json all = Json::array();
-    for (std::size_t r = 1; r < rows.size(); ++r) {
-        Json object;
-        for (std::size_t i = 0; i < rows[r].size(); ++i) object[rows[0][i]] = rows[r][i];
-        all.push_back(object);
-    }
-    return all.dump(2) + "\n";
-}
-
 std::string formatsOf(const Profile& p) {
     std::vector<std::string> names;
     for (const ColourFormat& f : p.colourFormats) names.push_back(f.name);
@@ -110,12 +93,20 @@ std::string passTable(const PlanSheet& sheet) {
 std::string explainedTable(const PlanSheet& sheet) {
     const ShownPasses shown = shownPasses(sheet.plan);
     const PlanNotes& notes = *sheet.notes;
-    std::vector<std::vector<std::string>> rows{{"pass", "draws", "touches", "what"}};
+    const CostNotes* cost = notes.cost && notes.cost->hasTimes() ? &*notes.cost : nullptr;
+    std::vector<std::vector<std::string>> rows{{"pass", "draws", "touches"}};
+    if (cost) rows[0].insert(rows[0].end(), {"ms", "limit"});
+    rows[0].push_back("what");
     std::vector<std::string> beneath{"", ""};  // the head and its rule
     const auto add = [&](std::size_t i) {
         const Pass& pass = sheet.plan.passes[i];
         rows.push_back({fmt::format("{}", i + 1), kindName(pass.kind),
-                        fmt::format("{}", notes.amounts[i].pixels.total()), pass.label});
+                        fmt::format("{}", notes.amounts[i].pixels.total())});
+        if (cost) {
+            const PassCost& took = cost->minimal.passes[i];
+            rows.back().insert(rows.back().end(), {msText(took.ms()), limitText(took.limit())});
+        }
+        rows.back().push_back(pass.label);
         std::string& lines = beneath.emplace_back();
         const auto line = [&](const std::string& text) {
             lines += fmt::format("      {}\n", wrapText(text, 8));
@@ -128,8 +119,14 @@ std::string explainedTable(const PlanSheet& sheet) {
     for (const std::size_t i : shown.before) add(i);
     if (!shown.folded.empty()) {
         std::int64_t touched = 0;
-        for (const std::size_t i : shown.folded) touched += notes.amounts[i].pixels.total();
-        rows.push_back({"...", "volume", fmt::format("{}", touched), foldedLabel(shown)});
+        double ms = 0;
+        for (const std::size_t i : shown.folded) {
+            touched += notes.amounts[i].pixels.total();
+            if (cost) ms += cost->minimal.passes[i].ms();
+        }
+        rows.push_back({"...", "volume", fmt::format("{}", touched)});
+        if (cost) rows.back().insert(rows.back().end(), {msText(ms), ""});
+        rows.back().push_back(foldedLabel(shown));
         beneath.emplace_back();
     }
     for (const std::size_t i : shown.after) add(i);
@@ -172,6 +169,7 @@ Json planJson(const PlanSheet& sheet) {
         passes.back()["scissor"] = extentJson(sheet.plan, pass);
         passes.back()["vertices"] = sheet.notes->amounts[i].vertices;
         passes.back()["touched"] = sheet.notes->amounts[i].pixels.total();
+        if (sheet.notes->cost) passes.back()["model"] = toJson(sheet.notes->cost->minimal.passes[i]);
     }
     Json lacks = Json::array();
     for (const Missing& m : sheet.missing)
@@ -189,6 +187,7 @@ Json planJson(const PlanSheet& sheet) {
     json["full"] = {{"counts", toJson(countPasses(sheet.notes->full))},
                     {"vertices", full.vertices},
                     {"touched", toJson(full.pixels)}};
+    if (sheet.notes->cost) json["model"] = toJson(*sheet.notes->cost);
     return json;
 }
 
@@ -198,7 +197,7 @@ std::string plansCsv(const std::vector<PlanSheet>& sheets) {
         std::any_of(sheets.begin(), sheets.end(), [](const PlanSheet& s) { return s.notes; });
     std::vector<std::string> head{"method", "shade", "profile", "scene", "frame",
                                   "pass",   "draws", "what",    "state", "chip_terms"};
-    if (explains) head.insert(head.end(), {"reason", "vertices", "touched"});
+    if (explains) head.insert(head.end(), {"reason", "vertices", "touched", "model_ms", "model_limit"});
     std::string text = csvLine(head);
     for (const PlanSheet& s : sheets) {
         const std::vector<std::string> of{s.method, s.shade, s.profile, s.scene, fmt::format("{}", s.frame)};
@@ -216,6 +215,10 @@ std::string plansCsv(const std::vector<PlanSheet>& sheets) {
                 fields.insert(fields.end(), {reasonFor(s.plan, i, s.notes->effects),
                                              fmt::format("{}", s.notes->amounts[i].vertices),
                                              fmt::format("{}", s.notes->amounts[i].pixels.total())});
+            if (s.notes && s.notes->cost) {
+                const PassCost& took = s.notes->cost->minimal.passes[i];
+                fields.insert(fields.end(), {fmt::format("{}", took.ms()), limitText(took.limit())});
+            }
             line(fields);
         }
         if (!s.notes) continue;
@@ -273,6 +276,22 @@ std::string scenesJson(const std::vector<Scene>& scenes) {
 }
 
 }  // namespace
+
+std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
+    if (format == Format::Text) return alignColumns(rows);
+    if (format == Format::Csv) {
+        std::string text;
+        for (const auto& row : rows) text += csvLine(row);
+        return text;
+    }
+    Json all = Json::array();
+    for (std::size_t r = 1; r < rows.size(); ++r) {
+        Json object;
+        for (std::size_t i = 0; i < rows[r].size(); ++i) object[rows[0][i]] = rows[r][i];
+        all.push_back(object);
+    }
+    return all.dump(2) + "\n";
+}
 
 std::string kindName(PassKind kind) {
     switch (kind) {

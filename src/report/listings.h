@@ -14,6 +14,9 @@ namespace gnomon {
 
 enum class Format { Text, Json, Csv };
 
+/// Rows under a head, in any format; JSON objects take the head's words as keys.
+std::string listing(const std::vector<std::vector<std::string>>& rows, Format format);
+
 /// All chips, a line each, with the evidence for their blend units; the text has shorter words for the
 /// equations.
 std::string listProfiles(const std::vector<Profile>& profiles, Format format);

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "matrix/cell_json.h"
+#include "report/device_listing.h"
 #include "report/table.h"
 
 namespace gnomon {
@@ -304,9 +305,10 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     }
     const std::vector<Column> groups = folded(columns);
 
-    std::string text = fmt::format("{}, {}x{}, frame{} {}{}\n\n", cells[0]->scene, cells[0]->width,
+    std::string text = fmt::format("{}, {}x{}, frame{} {}{}{}\n\n", cells[0]->scene, cells[0]->width,
                                    cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "),
-                                   cells[0]->fidelity == "chip" ? ", with the chips' own arithmetic" : "");
+                                   cells[0]->fidelity == "chip" ? ", with the chips' own arithmetic" : "",
+                                   deviceText(cells[0]->device));
     text += blocksOf(methods, groups);
     std::string legend;
     for (const Column& group : groups)
@@ -380,21 +382,17 @@ std::string matrixJson(const std::vector<Cell>& cells) {
 }
 
 std::string matrixCsv(const std::vector<Cell>& cells) {
-    std::string text = csvLine({"cell",           "profile",        "method",
-                                "scene",          "store",          "arithmetic",
-                                "levels",         "count",          "silhouette",
-                                "mask_scale",     "apply",          "shade",
-                                "width",          "height",         "frame",
-                                "lights",         "fidelity",       "verdict",
-                                "chosen",         "missing",        "causes",
-                                "passes_scene",   "passes_volume",  "passes_rectangle",
-                                "passes_copy",    "pixels",         "tied_truth",
-                                "tied_count",     "wrong_edge",     "wrong_interior",
-                                "unpredicted",    "nesting_fronts", "nesting_overlap",
-                                "nesting_levels", "warnings",       "effects",
-                                "drawn_by",       "proof",          "touched_pixels",
-                                "vertices",       "cpu_ms",         "unshadowed_ms",
-                                "digest",         "error"});
+    std::string text =
+        csvLine({"cell",           "profile",     "method",         "scene",           "store",
+                 "arithmetic",     "levels",      "count",          "silhouette",      "mask_scale",
+                 "apply",          "shade",       "width",          "height",          "frame",
+                 "lights",         "fidelity",    "device",         "verdict",         "chosen",
+                 "missing",        "causes",      "passes_scene",   "passes_volume",   "passes_rectangle",
+                 "passes_copy",    "pixels",      "tied_truth",     "tied_count",      "wrong_edge",
+                 "wrong_interior", "unpredicted", "nesting_fronts", "nesting_overlap", "nesting_levels",
+                 "warnings",       "effects",     "drawn_by",       "proof",           "touched_pixels",
+                 "vertices",       "clock",       "cpu_ms",         "unshadowed_ms",   "digest",
+                 "error"});
     for (const Cell& c : cells) {
         std::vector<std::string> missing, causes;
         for (const Missing& m : c.missing) missing.push_back(m.what);
@@ -417,6 +415,7 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          number(c.frame),
                          number(c.lights),
                          c.fidelity,
+                         c.device,
                          name(c.verdict),
                          c.chosen ? "true" : "false",
                          fmt::format("{}", fmt::join(missing, "; ")),
@@ -440,6 +439,7 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          c.drawnBy.empty() ? "" : name(c.proof),
                          number(c.touched.total()),
                          number(c.vertices),
+                         c.clock,
                          fmt::format("{:.3f}", c.cpuMs),
                          fmt::format("{:.3f}", c.unshadowedMs),
                          c.digest,

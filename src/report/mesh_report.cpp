@@ -186,7 +186,7 @@ std::size_t trianglesOf(const VolumeCount& c) {
     return c.triangles();
 }
 
-std::string wordsOf(const Spread& s) {
+std::string wordsOf(const CountSpread& s) {
     return s.least == s.most ? fmt::format("{}", s.least)
                              : fmt::format("{} / {} / {}", s.least, s.median, s.most);
 }
@@ -260,7 +260,7 @@ Json topologyJson(const Topology& topology) {
     return json;
 }
 
-Json spreadJson(const Spread& s) {
+Json spreadJson(const CountSpread& s) {
     return {{"min", s.least}, {"median", s.median}, {"max", s.most}, {"sum", s.sum}};
 }
 
@@ -338,7 +338,7 @@ std::string meshesCsv(const std::vector<MeshFacts>& meshes) {
             fields.push_back(verdictOf(builder));
             fields.push_back(builder.refusal.value_or(builder.limitation.value_or("")));
             for (const auto of : {edgesOf, sidesOf, polygonsOf, trianglesOf}) {
-                const Spread s = set && !builder.refusal ? spread(*set, builder.silhouette, of) : Spread{};
+                const auto s = set && !builder.refusal ? spread(*set, builder.silhouette, of) : CountSpread{};
                 for (const std::size_t value : {s.least, s.median, s.most, s.sum})
                     fields.push_back(set && !builder.refusal ? fmt::format("{}", value) : "");
             }

@@ -196,7 +196,9 @@ std::string notesText(const Plan& plan, const PlanNotes& notes) {
     row("  of volumes", p.volume, q.volume);
     row("  of rectangles", p.rectangle, q.rectangle);
     row("  of copies", p.copy, q.copy);
-    return fmt::format("{}\n{}", text, alignColumns(rows));
+    text += fmt::format("\n{}", alignColumns(rows));
+    if (notes.cost) text += fmt::format("\n{}", costText(*notes.cost));
+    return text;
 }
 
 }  // namespace gnomon

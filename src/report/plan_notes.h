@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cost/touched.h"
 #include "needs/minimal_plan.h"
 #include "plan/plan.h"
+#include "report/cost_notes.h"
 
 namespace gnomon {
 
@@ -19,6 +21,7 @@ struct PlanNotes {
     std::vector<DrawnAmount> amounts{};  ///< of each pass of the minimal plan
     Plan full{};
     DrawnAmount fullAmount{};
+    std::optional<CostNotes> cost{};  ///< by the model, of both plans
     std::string
         drawnAs{};  ///< method id of MinimalPlan::axes, if it is not the one that was asked for; or ""
 };
@@ -37,8 +40,8 @@ std::string ratioText(std::int64_t part, std::int64_t whole);
 /// were asked for; each with its fact, under heads.
 std::string effectsText(const std::vector<EffectNote>& effects);
 
-/// For people, beneath the passes of @p plan: what is left out and why, what was asked for, and passes,
-/// vertices and touched pixels of the minimal and the full plan side by side.
+/// For people, beneath the passes of @p plan: what is left out and why, what was asked for, passes, vertices
+/// and touched pixels of the minimal and the full plan side by side, and what the model makes of them.
 std::string notesText(const Plan& plan, const PlanNotes& notes);
 
 }  // namespace gnomon

@@ -135,9 +135,8 @@ glm::dvec2 CountTies::depthGradient(const glm::dvec3& normal, const glm::dvec3& 
 /// Whether more than @p count casters' triangles lie between the point and the light; exact.
 bool CountTies::isCrossedMoreThan(int count, const RayPoint& point) {
     m_counted.clear();
-    m_world.towardsLight(m_world.surfaces, point.position(), [&](std::uint32_t index) {
-        const LitTriangle& t = m_world.triangles[index];
-        if (t.casts && crossesExactly(t, m_world.light, point) &&
+    m_world.castersTowardsLight(point, 0, [&](std::uint32_t index, Answer crossed) {
+        if ((crossed == Answer::Yes || crossesExactly(m_world.triangles[index], m_world.light, point)) &&
             std::find(m_counted.begin(), m_counted.end(), index) == m_counted.end())
             m_counted.push_back(index);
         return static_cast<int>(m_counted.size()) <= count;

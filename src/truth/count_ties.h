@@ -5,14 +5,12 @@
 #include <vector>
 
 #include "scene/view.h"
+#include "truth/frame_rays.h"
 #include "truth/predicates.h"
 #include "truth/truth.h"
 #include "truth/world.h"
 
 namespace gnomon {
-
-/// Pixels by which a rasteriser may round a corner: 1/256 along each axis.
-constexpr double kSubpixel = 1.0 / 256;
 
 /// The neighbourhood of a pixel's centre in which a rasteriser may see what stands there.
 struct Beside {

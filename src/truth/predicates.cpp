@@ -1,6 +1,7 @@
 #include "truth/predicates.h"
 
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <tuple>
@@ -31,8 +32,11 @@ struct Plane {
     Interval at(const glm::dvec3& x, double error, double radius) const {
         const glm::dvec3 d = x - base;
         const double value = glm::dot(normal, d);
-        double slack = kRounding * glm::dot(size, glm::abs(d)) + 1.001 * error * (size.x + size.y + size.z);
-        if (radius > 0) slack += 1.001 * radius * glm::length(size);
+        // The true normal, by which the value rises where the point moves, is this one but for its rounding.
+        const double around = radius > 0 ? radius * glm::length(normal) : 0;
+        const double slack =
+            kRounding * (glm::dot(size, glm::abs(d)) + (error + radius) * (size.x + size.y + size.z)) +
+            1.001 * (around + error * (std::abs(normal.x) + std::abs(normal.y) + std::abs(normal.z)));
         return {value - slack, value + slack};
     }
 };
@@ -70,10 +74,9 @@ int exactSide(const Exact3& normal, const Exact3& base, const RayPoint& point) {
 
 }  // namespace
 
-RayPoint::RayPoint(const EyeRay& ray, const LitTriangle& triangle, double shift)
-    : m_ray(ray), m_triangle(&triangle), m_shift(shift) {
+RayPoint::RayPoint(const EyeRay& ray, const LitTriangle& triangle) : m_ray(ray), m_triangle(&triangle) {
     if (const auto t = planeHit(ray, triangle)) {
-        place({t->low + shift, t->high + shift});
+        place(*t);
     } else {
         const auto exact = static_cast<double>(exactT());
         place({exact, exact});
@@ -84,7 +87,18 @@ RayPoint::RayPoint(const EyeRay& ray, double t) : m_ray(ray), m_shift(t) {
     place({t, t});
 }
 
+RayPoint RayPoint::moved(double shift) const {
+    assert(m_triangle && m_shift == 0);
+    RayPoint point;
+    point.m_ray = m_ray;
+    point.m_triangle = m_triangle;
+    point.m_shift = shift;
+    point.place({m_bounds.low + shift, m_bounds.high + shift});
+    return point;
+}
+
 void RayPoint::place(const Interval& t) {
+    m_bounds = t;
     m_t = t.low + (t.high - t.low) / 2;
     m_position = m_ray.eye + m_t * m_ray.direction;
     const glm::dvec3 size = glm::abs(m_ray.eye) + std::abs(m_t) * glm::abs(m_ray.direction);
@@ -95,7 +109,8 @@ void RayPoint::place(const Interval& t) {
 
 const Rational& RayPoint::exactT() const {
     if (!m_exact)
-        m_exact = (m_triangle ? *exactPlaneHit(m_ray, *m_triangle) : Rational(0)) + Rational(m_shift);
+        m_exact = std::make_unique<Rational>((m_triangle ? *exactPlaneHit(m_ray, *m_triangle) : Rational(0)) +
+                                             Rational(m_shift));
     return *m_exact;
 }
 

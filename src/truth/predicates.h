@@ -3,6 +3,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 
 namespace gnomon {
@@ -31,8 +32,12 @@ struct Interval {
 class RayPoint {
   public:
     /// @pre the ray is not parallel to the plane
-    RayPoint(const EyeRay& ray, const LitTriangle& triangle, double shift = 0);
+    RayPoint(const EyeRay& ray, const LitTriangle& triangle);
     RayPoint(const EyeRay& ray, double t);
+
+    /// The point farther along the ray by @p shift.
+    /// @pre this one was made of a triangle, and not moved
+    RayPoint moved(double shift) const;
 
     const EyeRay& ray() const { return m_ray; }
     double t() const { return m_t; }
@@ -43,13 +48,15 @@ class RayPoint {
     Rational exact(int k) const { return Rational(m_ray.eye[k]) + exactT() * Rational(m_ray.direction[k]); }
 
   private:
+    RayPoint() = default;
     void place(const Interval& t);
 
     EyeRay m_ray;
     const LitTriangle* m_triangle = nullptr;
     double m_shift = 0, m_t = 0, m_error = 0;
+    Interval m_bounds{};  ///< of the parameter
     glm::dvec3 m_position{};
-    mutable std::optional<Rational> m_exact{};
+    mutable std::unique_ptr<Rational> m_exact{};
 };
 
 /// Sign of (p - eye) x (q - eye) . direction: on which side of the edge from p to q the ray passes. Never 0:

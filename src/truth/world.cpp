@@ -74,6 +74,7 @@ World::World(const Scene& scene, const glm::vec4& l, Silhouette silhouette)
       // would meet through one ray. 10^-4 of the scene holds 1/256 pixel; the sides' band of depth is
       // longer.
       surfaces(boxesOf(triangles), 1e-4 * diagonal(boxesOf(triangles))),
-      edges(boxesOf(sides), 1e-3 * diagonal(boxesOf(triangles))) {}
+      edges(boxesOf(sides), 1e-3 * diagonal(boxesOf(triangles))),
+      casters(triangles, light) {}
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 
 #include "scene/scene.h"
 #include "truth/candidates.h"
+#include "truth/light_grid.h"
 #include "truth/predicates.h"
 #include "volume/volume.h"
 
@@ -27,6 +28,7 @@ struct World {
     std::vector<SideEdge> sides;
     Candidates surfaces;
     Candidates edges;
+    LightGrid casters;
 
     /// Calls @p visit(index) for each triangle or side that may be near the segment from @p point to the
     /// light, until it returns false.
@@ -41,6 +43,18 @@ struct World {
                            return visit(index) ? std::numeric_limits<double>::infinity()
                                                : -std::numeric_limits<double>::infinity();
                        });
+    }
+
+    /// Calls @p visit(index, crossed) for each caster's triangle that may cross the segment from any point
+    /// within @p radius of @p point to the light, until it returns false; for some more than once. @p crossed
+    /// is Yes where it is certain that all those segments cross it.
+    /// @pre radius is less than half of the surfaces' reach
+    template <class Visit>
+    void castersTowardsLight(const RayPoint& point, double radius, Visit&& visit) const {
+        if (casters.visit(point.position(), point.error(), radius, visit)) return;
+        towardsLight(surfaces, point.position(), [&](std::uint32_t index) {
+            return !triangles[index].casts || visit(index, Answer::Unsure);
+        });
     }
 };
 

@@ -63,12 +63,12 @@ LightSet ownLights(const Scene& scene) {
 
 }  // namespace
 
-Spread spread(const LightSet& set, Silhouette silhouette, std::size_t (*of)(const VolumeCount&)) {
+CountSpread spread(const LightSet& set, Silhouette silhouette, std::size_t (*of)(const VolumeCount&)) {
     std::vector<std::size_t> values;
     for (const VolumeCounts& counts : set.counts) values.push_back(of(counts[std::size_t(silhouette)]));
     if (values.empty()) return {};
     std::sort(values.begin(), values.end());
-    Spread result{values.front(), values[(values.size() - 1) / 2], values.back()};
+    CountSpread result{values.front(), values[(values.size() - 1) / 2], values.back()};
     for (const std::size_t value : values) result.sum += value;
     return result;
 }

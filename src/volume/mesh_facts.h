@@ -28,10 +28,10 @@ struct LightSet {
 
 /// Least, middle (the lower of two), most and sum over the lights of a set, of what @p of says of
 /// @p silhouette's volumes; 0 without any light.
-struct Spread {
+struct CountSpread {
     std::size_t least = 0, median = 0, most = 0, sum = 0;
 };
-Spread spread(const LightSet& set, Silhouette silhouette, std::size_t (*of)(const VolumeCount&));
+CountSpread spread(const LightSet& set, Silhouette silhouette, std::size_t (*of)(const VolumeCount&));
 
 struct ObjectFacts {
     std::size_t index = 0;  ///< into Scene::objects

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "expected/known_results.h"
+#include "method/method.h"
 #include "program.h"
 
 namespace gnomon {
@@ -78,6 +79,31 @@ class Rasteriser : public ProgramTest {
         return ids;
     }
 };
+
+// Every named method, at both fidelities: masks, images, passes, vertices, ties and causes. What differs is
+// the device's name and the time.
+TEST_F(Rasteriser, GivesTheSameBitsOnEveryDevice) {
+    const auto devices = nlohmann::json::parse(run({"devices", "--format", "json"}).out);
+    for (const auto& device : devices)
+        if (device["clock"] != "thread") GTEST_SKIP() << device["device"] << ": " << device["driver"];
+    const auto cellsOn = [&](const std::string& device) {
+        Cells all;
+        const Outcome outcome = run({"matrix", "boxes,roettger", "--device", device, "--fidelity", "gl,chip",
+                                     "--profile", "ideal,tnt,voodoo2,geforce2mx", "--size", "64x48",
+                                     "--frames", "0", "--jobs", "1", "--format", "json"});
+        for (nlohmann::json& cell : nlohmann::json::parse(outcome.out)) {
+            EXPECT_EQ(cell["device"], device);
+            cell.erase("device"), cell.erase("cpu_ms"), cell.erase("unshadowed_ms");
+            all[fmt::format("{} {}", cell["cell"].get<std::string>(), cell["fidelity"].get<std::string>())] =
+                cell;
+        }
+        return all;
+    };
+    const Cells osmesa = cellsOn("osmesa"), egl = cellsOn("egl");
+    EXPECT_EQ(osmesa.size(), 2u * 2 * 4 * (namedMethods().size() - 1)) << "all but auto";
+    EXPECT_EQ(osmesa.size(), egl.size());
+    EXPECT_THAT(difference(osmesa, egl), SizeIs(0));
+}
 
 TEST_F(Rasteriser, GivesTheSameBitsForAnyWidthOfVectorsAndNumberOfThreads) {
     const Cells wide = cells("LP_NATIVE_VECTOR_WIDTH", "256");  // and no thread beside the program's own

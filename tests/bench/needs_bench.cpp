@@ -13,6 +13,7 @@
 #include <numeric>
 
 #include "bench/run_benchmarks.h"
+#include "cost/spread.h"
 #include "matrix/choice.h"
 #include "profile/shipped.h"
 #include "scene/load.h"
@@ -25,19 +26,22 @@ constexpr int kWidth = 320, kHeight = 240;
 constexpr std::size_t kMostFrames = 12;
 const std::vector<std::string> kMethods{"heidmann", "carmack", "roettger-screen", "roettger-alpha", "hornus"};
 
-double median(std::vector<double> values) {
-    std::sort(values.begin(), values.end());
-    return values.empty() ? 0 : values[values.size() / 2];
-}
-
 struct Ratios {
     std::vector<double> time{}, touched{};
 };
 
+/// The time of the OpenGL calls alone: what the host builds is the same by both.
+std::vector<double> drawMs(const std::vector<FrameTime>& times) {
+    std::vector<double> ms;
+    for (const FrameTime& time : times) ms.push_back(time.drawMs);
+    return ms;
+}
+
 void addFrame(Lab& lab, const Profile& profile, const Axes& axes, int frame, Ratios& ratios) {
-    const std::vector<Effects> ways{Effects::all(), Effects::none()};
-    const auto ms = lab.frameMs(profile, axes, ways, kWidth, kHeight, frame, kRepeats);
-    ratios.time.push_back(median(ms[1]) / median(ms[0]));
+    const std::vector<TimedWay> ways{{profile, axes, {}, Effects::all()},
+                                     {profile, axes, {}, Effects::none()}};
+    const auto times = lab.frameTimes(ways, kWidth, kHeight, frame, kRepeats);
+    ratios.time.push_back(spreadOf(drawMs(times[1])).median / spreadOf(drawMs(times[0])).median);
     const MinimalPlan least = lab.minimalPlan(profile, axes, kWidth, kHeight, frame);
     ratios.touched.push_back(
         double(sumOf(lab.amounts(profile, least, kWidth, kHeight, frame)).pixels.total()) /
@@ -46,7 +50,7 @@ void addFrame(Lab& lab, const Profile& profile, const Axes& axes, int frame, Rat
 
 std::string spread(const std::vector<double>& ratios) {
     const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-    return fmt::format("{:.2f} ({:.2f} to {:.2f})", median(ratios), *least, *most);
+    return fmt::format("{:.2f} ({:.2f} to {:.2f})", spreadOf(ratios).median, *least, *most);
 }
 
 void showTable(std::vector<std::string> files) {
@@ -78,7 +82,8 @@ void showTable(std::vector<std::string> files) {
         for (std::size_t m = 0; m < kMethods.size(); ++m) {
             fmt::print("{:<22} {:<16} {:>6}  {:<22} {:<22}\n", std::filesystem::path(file).stem().string(),
                        kMethods[m], count, spread(all[m].time), spread(all[m].touched));
-            timeMedians.push_back(median(all[m].time)), touchedMedians.push_back(median(all[m].touched));
+            timeMedians.push_back(spreadOf(all[m].time).median),
+                touchedMedians.push_back(spreadOf(all[m].touched).median);
         }
         std::fflush(stdout);
     }
@@ -91,9 +96,8 @@ void showTable(std::vector<std::string> files) {
 
 void smoke(benchmark::State& state, const Effects& effects) {
     Lab lab(loadScene(std::filesystem::path(GNOMON_SOURCE) / "scenes" / "boxes.toml"));
-    const std::vector<Effects> ways{effects};
-    for (auto _ : state)
-        benchmark::DoNotOptimize(lab.frameMs(chip("ideal"), findMethod("carmack")->axes, ways, 64, 48, 0, 1));
+    const std::vector<TimedWay> ways{{chip("ideal"), findMethod("carmack")->axes, {}, effects}};
+    for (auto _ : state) benchmark::DoNotOptimize(lab.frameTimes(ways, 64, 48, 0, 1));
 }
 
 }  // namespace

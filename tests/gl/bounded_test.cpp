@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "gl/renderer.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -68,7 +69,7 @@ class Studio {
 
   private:
     Profile m_profile;
-    Surface m_surface;
+    TestSurface m_surface;
     Frame m_frame;
 };
 

@@ -5,8 +5,8 @@
 
 #include "fake_driver.h"
 #include "gl/capability.h"
-#include "gl/surface.h"
 #include "gl/words.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -179,7 +179,7 @@ TEST(Ps2, SetsTheConstantThatItsPairsUse) {
 // llvmpipe itself can do all of this; what refuses is the layer, and OpenGL's state stays as it was.
 TEST(RealDriver, NeverSeesARefusedCall) {
     const Profile voodoo = chip("voodoo1");
-    Surface surface(bufferFormatOf(voodoo), 8, 8);
+    TestSurface surface(bufferFormatOf(voodoo), 8, 8);
     const GlTable gl = restrictTo(voodoo, surface.format(), surface.driver());
     const auto pixel = [&] {
         std::array<std::uint8_t, 3> p{};

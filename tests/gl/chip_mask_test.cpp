@@ -12,6 +12,7 @@
 #include "gl/words.h"
 #include "profile/frame_channel.h"
 #include "scene/scene_file.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -65,7 +66,7 @@ class FaceCounter {
         m_surface.driver().DrawArrays(GL_TRIANGLES, 0, GLsizei(triangles.size()));
     }
 
-    Surface m_surface;
+    TestSurface m_surface;
     const Frame& m_frame;
 };
 
@@ -111,7 +112,7 @@ TEST_P(EachMask, IsWhatTheIntegerFunctionsSayInEveryPixel) {
     const Axes axes = findMethod(c.method)->axes;
     const Plan plan = planFrame(axes, shapeOf(int(frame.volumes().size()), kWidth, kHeight), profile);
     ASSERT_TRUE(missing(profile, plan).empty());
-    Surface surface(format, kWidth, kHeight, chip);
+    TestSurface surface(format, kWidth, kHeight, chip);
     FaceCounter faces(format, chip, frame);
     const bool inAlpha = axes.store == Store::Alpha;
     const std::vector<int> channels = inAlpha ? std::vector<int>{3} : std::vector<int>{0, 1, 2};
@@ -160,7 +161,7 @@ TEST_P(EachMask, IsWhatTheIntegerFunctionsSayInEveryPixel) {
         }
         EXPECT_EQ(wrong, 0) << index << ": " << pass.label;
     };
-    render(surface, profile, plan, frame.surfaces, frame.lights(), follow);
+    render(surface, profile, plan, frame.surfaces, frame.lights(), {.afterPass = follow});
     // Each pass that the mask is made of, and at least a start, fronts and backs.
     const auto end = std::find_if(plan.passes.begin(), plan.passes.begin() + std::ptrdiff_t(last),
                                   [](const Pass& pass) { return pass.kind == PassKind::Copy; });

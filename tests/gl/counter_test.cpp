@@ -10,6 +10,7 @@
 
 #include "fake_driver.h"
 #include "gl/renderer.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -44,6 +45,17 @@ TEST(Counter, CallsNothingLessThanTheWholeViewportARectangle) {
     c.gl.BlendFunc(GL_ONE, GL_ONE);
     c.quad(kOneCornerTwice);
     EXPECT_EQ(c.passes(), (PassCounts{.scene = 2}));
+}
+
+// The pointer is an offset then, whatever stands at that address.
+TEST(Counter, LooksForNoCornersWhereABufferIsBound) {
+    Counted c;
+    c.gl.BindBuffer(GL_ARRAY_BUFFER, 1);
+    c.quad(kWindow);
+    EXPECT_EQ(c.passes(), (PassCounts{.scene = 1}));
+    c.gl.BindBuffer(GL_ARRAY_BUFFER, 0);
+    c.quad(kWindow);
+    EXPECT_EQ(c.passes(), (PassCounts{.scene = 1, .rectangle = 1}));
 }
 
 TEST(Counter, CountsEachRectangleUnderOneState) {
@@ -140,7 +152,7 @@ TEST(Counter, BeginsAnewAfterAReset) {
 /// What is counted of one frame of the two boxes on the chip without limits.
 PassCounts countedOf(const Axes& axes) {
     static const Profile ideal = chip("ideal");
-    static Surface surface(bufferFormatOf(ideal), 21, 13, arithmeticOf(ideal, {}));
+    static TestSurface surface(bufferFormatOf(ideal), 21, 13, arithmeticOf(ideal, {}));
     static const Frame frame = frameOf(twoBoxes(), 21, 13);
     const Plan plan = planFrame(axes, shapeOf(int(frame.volumes().size()), 21, 13), ideal);
     return render(surface, ideal, plan, frame.surfaces, frame.lights()).counts.passes;

@@ -9,6 +9,8 @@
 
 #include "gl/capability.h"
 #include "gl/renderer.h"
+#include "method/shader_volumes.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -44,7 +46,7 @@ class Studio {
 
   private:
     Profile m_profile;
-    Surface m_surface;
+    TestSurface m_surface;
     Frame m_frame;
 };
 
@@ -340,13 +342,32 @@ TEST(DeepStacks, AreCountedRightIn16BitsFromBothEnds) {
     }
 }
 
+// So that AtomicZP is compared like with like, where nothing hides the eye and where a slab does.
+TEST(ShaderVolumes, AreTheHostsToThePixel) {
+    for (const char* id : {"heidmann", "eisemann"}) {
+        for (const Scene& scene : {twoBoxes(), underASlab()}) {
+            constexpr int width = 120, height = 90;
+            const Frame frame = frameOf(scene, width, height);
+            Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+            const Plan plan =
+                planFrame(axesOf(id), shapeOf(int(frame.volumes().size()), width, height), ideal());
+            const Rendered byHost = render(surface, ideal(), plan, frame.surfaces, frame.lights());
+            const Plan shaded = withShaderVolumes(plan);
+            const Rendered byShader = render(surface, ideal(), shaded, frame.surfaces, frame.lights());
+            EXPECT_EQ(byShader.counts.passes, countPasses(shaded));
+            EXPECT_EQ(byShader.image.data, byHost.image.data) << id;
+            EXPECT_EQ(byShader.masks, byHost.masks) << id;
+        }
+    }
+}
+
 TEST(TwoLights, DrawWhatEachWouldAlone) {
     Scene scene = twoBoxes();
     scene.lights.push_back({.position = glm::vec4(glm::normalize(glm::vec3(-1.3f, 2.9f, 0.7f)), 0)});
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     shape.lights[1].directional = true;
@@ -375,7 +396,7 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
     constexpr int width = 80, height = 60;
     const std::array<Frame, 2> frames{frameOf(scene, width, height, 0), frameOf(scene, width, height, 1)};
     const LightFrames both = [&](int light) -> const LightFrame& { return frames[std::size_t(light)].light; };
-    Surface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
+    TestSurface surface(bufferFormatOf(ideal()), width, height, arithmeticOf(ideal(), {}));
     FrameShape shape{.width = width, .height = height};
     for (const Frame& frame : frames) shape.lights.push_back({.volumes = int(frame.volumes().size())});
     for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {

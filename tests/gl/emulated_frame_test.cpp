@@ -9,10 +9,10 @@
 #include <set>
 
 #include "gl/emulation.h"
-#include "gl/surface.h"
 #include "gl/words.h"
 #include "profile/depth.h"
 #include "profile/frame_channel.h"
+#include "test_surface.h"
 
 namespace gnomon {
 namespace {
@@ -53,7 +53,7 @@ const BufferFormat k565{.red = 5, .green = 6, .blue = 5, .alpha = 0, .depth = 16
 const BufferFormat k5551{.red = 5, .green = 5, .blue = 5, .alpha = 1, .depth = 24, .stencil = 0};
 
 TEST(EmulatedFrame, ClearsAndStoresByTruncation) {
-    Surface surface(k565, kSide, kSide, kVoodoo);
+    TestSurface surface(k565, kSide, kSide, kVoodoo);
     const GlTable& gl = surface.driver();
     gl.ClearColor(grey(0x47), grey(0x47), grey(0x47), 0);
     gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -65,7 +65,7 @@ TEST(EmulatedFrame, ClearsAndStoresByTruncation) {
 
 TEST(EmulatedFrame, ClearsOnlyTheChannelsThatAreWritten) {
     for (const BufferFormat& format : {k5551, BufferFormat{}}) {
-        Surface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
+        TestSurface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
         const GlTable& gl = surface.driver();
         gl.ClearColor(1, 1, 1, 1);
         gl.Clear(GL_COLOR_BUFFER_BIT);
@@ -82,7 +82,7 @@ TEST(EmulatedFrame, ClearsOnlyTheChannelsThatAreWritten) {
 
 // glClear takes no notice of the viewport, of tests, or of what is enabled; and leaves all that alone.
 TEST(EmulatedFrame, ClearsAllOfItWhateverIsEnabled) {
-    Surface surface(k565, kSide, kSide, kVoodoo);
+    TestSurface surface(k565, kSide, kSide, kVoodoo);
     const GlTable& gl = surface.driver();
     gl.Viewport(0, 0, 2, 2);
     gl.Enable(GL_DEPTH_TEST);
@@ -107,7 +107,7 @@ TEST(EmulatedFrame, ClearsAllOfItWhateverIsEnabled) {
 }
 
 TEST(EmulatedFrame, DithersWhereGlDitherIsEnabled) {
-    Surface surface(k565, kSide, kSide, kVoodoo);
+    TestSurface surface(k565, kSide, kSide, kVoodoo);
     const GlTable& gl = surface.driver();
     const auto values = [&] {
         std::set<int> reds;
@@ -132,7 +132,7 @@ TEST(EmulatedFrame, DithersWhereGlDitherIsEnabled) {
 
 // At fidelity gl, a format that OSMesa lacks stores the nearest code, as OpenGL does.
 TEST(EmulatedFrame, RoundsInFormatsThatOsMesaLacks) {
-    Surface surface(k5551, kSide, kSide);
+    TestSurface surface(k5551, kSide, kSide);
     const GlTable& gl = surface.driver();
     for (int value = 0; value < 256; ++value) {
         colour(gl, value);
@@ -145,7 +145,7 @@ TEST(EmulatedFrame, RoundsInFormatsThatOsMesaLacks) {
 TEST(EmulatedFrame, HasNoSumThatWrapsButItsOwn) {
     // No emulation of the chip's arithmetic, and a sum that no OpenGL has.
     for (const BufferFormat& format : {BufferFormat{}, k5551}) {
-        Surface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip});
+        TestSurface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip});
         const GlTable& gl = surface.driver();
         colour(gl, 0xf8);
         fill(gl);
@@ -166,7 +166,7 @@ TEST(EmulatedFrame, HasNoSumThatWrapsButItsOwn) {
 
 TEST(EmulatedFrame, InvertsByLogicOperation) {
     for (const BufferFormat& format : {BufferFormat{}, k5551}) {
-        Surface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Flipper});
+        TestSurface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Flipper});
         const GlTable& gl = surface.driver();
         colour(gl, 0x40);
         fill(gl);
@@ -183,7 +183,7 @@ TEST(EmulatedFrame, InvertsByLogicOperation) {
 }
 
 TEST(EmulatedFrame, RefusesOtherLogicOperationsOnWords) {
-    Surface surface(k5551, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Flipper});
+    TestSurface surface(k5551, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Flipper});
     const GlTable& gl = surface.driver();
     gl.Enable(GL_COLOR_LOGIC_OP);
     gl.LogicOp(GL_XOR);
@@ -195,7 +195,7 @@ TEST(EmulatedFrame, RefusesOtherLogicOperationsOnWords) {
 }
 
 TEST(EmulatedFrame, TestsAlphaBeforeItBlends) {
-    Surface surface(k565, kSide, kSide, kVoodoo);
+    TestSurface surface(k565, kSide, kSide, kVoodoo);
     const GlTable& gl = surface.driver();
     gl.Enable(GL_ALPHA_TEST);
     for (const auto& [function, passes] : {std::pair(GL_NEVER, 0),
@@ -221,7 +221,7 @@ TEST(EmulatedFrame, TestsAlphaBeforeItBlends) {
 // A mask that becomes a texture: the copy sees what the chip holds, each base format its channels.
 TEST(EmulatedFrame, CopiesWhatTheChipHoldsToTextures) {
     for (const BufferFormat& format : {BufferFormat{}, k5551}) {
-        Surface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
+        TestSurface surface(format, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
         const GlTable& gl = surface.driver();
         for (const GLenum base : {GL_RGB, GL_INTENSITY, GL_ALPHA}) {
             gl.Color4f(grey(0x84), grey(0x42), grey(0x21), 1);
@@ -262,7 +262,7 @@ TEST(EmulatedFrame, CopiesWhatTheChipHoldsToTextures) {
 std::vector<std::uint32_t> depths(const BufferFormat& format, const ChipArithmetic& chip,
                                   const std::vector<glm::vec4>& points, int bits) {
     const int width = int(points.size());
-    Surface surface(format, width, 1, chip);
+    TestSurface surface(format, width, 1, chip);
     const GlTable& gl = surface.driver();
     gl.Viewport(0, 0, width, 1);
     gl.Enable(GL_DEPTH_TEST);
@@ -321,7 +321,7 @@ TEST(EmulatedDepth, StoresSixteenBitsBesideAStencil) {
 }
 
 TEST(EmulatedFrame, CountsInAStencilBesideSixteenBitsOfDepth) {
-    Surface surface({.depth = 16, .stencil = 8}, kSide, kSide);
+    TestSurface surface({.depth = 16, .stencil = 8}, kSide, kSide);
     const GlTable& gl = surface.driver();
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
     gl.Enable(GL_DEPTH_TEST);
@@ -337,7 +337,7 @@ TEST(EmulatedFrame, CountsInAStencilBesideSixteenBitsOfDepth) {
 }
 
 TEST(EmulatedFrame, RefusesWhatABlendUnitHasNot) {
-    Surface surface(BufferFormat{}, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Virge});
+    TestSurface surface(BufferFormat{}, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Virge});
     const GlTable& gl = surface.driver();
     gl.Enable(GL_BLEND);
     gl.BlendFunc(GL_ONE, GL_ONE);
@@ -346,7 +346,8 @@ TEST(EmulatedFrame, RefusesWhatABlendUnitHasNot) {
 
 // What OpenGL itself does right stays OpenGL's: no program is made for it.
 TEST(EmulatedFrame, LeavesOpaqueDrawsOf8888Alone) {
-    Surface surface(BufferFormat{}, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::PowerVr});
+    TestSurface surface(BufferFormat{}, kSide, kSide,
+                        {.fidelity = Fidelity::Chip, .unit = BlendUnit::PowerVr});
     GlTable counting = surface.driver();
     const GlTable& gl = surface.driver();
     gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);

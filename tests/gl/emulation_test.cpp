@@ -9,10 +9,10 @@
 #include <set>
 #include <tuple>
 
-#include "gl/surface.h"
 #include "gl/words.h"
 #include "profile/frame_channel.h"
 #include "profile/words.h"
+#include "test_surface.h"
 
 namespace gnomon {
 namespace {
@@ -76,7 +76,7 @@ class Square {
     }
 
     const BufferFormat m_format;
-    Surface surface;
+    TestSurface surface;
     const GlTable& gl;
 
   private:

@@ -64,6 +64,7 @@ class FakeDriver {
         record(gl.CreateProgram, "glCreateProgram");
         record(gl.ShaderSource, "glShaderSource");
         record(gl.UseProgram, "glUseProgram");
+        record(gl.BindBuffer, "glBindBuffer");
         record(gl.BindBufferBase, "glBindBufferBase");
         record(gl.BindFramebuffer, "glBindFramebuffer");
         record(gl.DrawElements, "glDrawElements");

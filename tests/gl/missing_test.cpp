@@ -9,6 +9,7 @@
 
 #include "gl/capability.h"
 #include "gl/renderer.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -49,7 +50,7 @@ class EachChip : public testing::TestWithParam<std::string> {};
 
 TEST_P(EachChip, IsRefusedExactlyThePlansThatMissSomething) {
     const Profile profile = chip(GetParam());
-    Surface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
+    TestSurface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
     const Frame frame = frameOf(twoBoxes(), kSide, kSide);
     ASSERT_EQ(frame.volumes().size(), 2u);
     int refused = 0, drawn = 0;
@@ -76,7 +77,7 @@ TEST_P(EachChip, IsRefusedExactlyThePlansThatMissSomething) {
 
 TEST_P(EachChip, IsRefusedExactlyThePlansWithoutVolumesThatMissSomething) {
     const Profile profile = chip(GetParam());
-    Surface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
+    TestSurface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
     Frame frame = frameOf(twoBoxes(), kSide, kSide);
     frame.light.volumes = std::make_shared<FrameVolumes>();
     for (const Axes& axes : allMethods()) {
@@ -88,7 +89,7 @@ TEST_P(EachChip, IsRefusedExactlyThePlansWithoutVolumesThatMissSomething) {
 // A surface as large as the plan, as in use.
 TEST_P(EachChip, IsRefusedTheSamePlansOnSurfacesOfTheirSize) {
     const Profile profile = chip(GetParam());
-    Surface surface(bufferFormatOf(profile), 61, 43, arithmeticOf(profile, {}));
+    TestSurface surface(bufferFormatOf(profile), 61, 43, arithmeticOf(profile, {}));
     const Frame frame = frameOf(twoBoxes(), 61, 43);
     for (const NamedMethod& method : namedMethods())
         for (const Shade shade : {Shade::Black, Shade::Ambient, Shade::Attenuated}) {
@@ -102,7 +103,7 @@ TEST_P(EachChip, IsRefusedTheSamePlansOnSurfacesOfTheirSize) {
 // Precision is the one lack that no call shows: a mask of 8 levels runs in 5 bits, and gives wrong values.
 TEST_P(EachChip, LacksBitsForDeepMasksWithoutAnyCallThatShowsIt) {
     const Profile profile = chip(GetParam());
-    Surface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
+    TestSurface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
     const Frame frame = frameOf(twoBoxes(), kSide, kSide);
     for (const int levels : {1, 5, 6, 8})
         for (const Axes& axes : allMethods(levels)) {
@@ -144,7 +145,7 @@ std::vector<Profile> madeChips() {
 TEST(MadeChips, AreRefusedExactlyThePlansThatMissSomething) {
     int chipIndex = 0, refused = 0;
     for (const Profile& profile : madeChips()) {
-        Surface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
+        TestSurface surface(bufferFormatOf(profile), kSide, kSide, arithmeticOf(profile, {}));
         const Frame frame = frameOf(twoBoxes(), kSide, kSide);
         for (Axes axes : allMethods())
             for (const Overflow overflow : {Overflow::Either, Overflow::Saturate})

@@ -7,10 +7,10 @@
 #include <tuple>
 
 #include "gl/pixel_words.h"
-#include "gl/surface.h"
 #include "gl/words.h"
 #include "profile/nv2a_recordings.h"
 #include "profile/words.h"
+#include "test_surface.h"
 
 namespace gnomon {
 namespace {
@@ -57,7 +57,7 @@ TEST(Nv2aPrograms, MakeEveryRecordedResult) {
         const ColourFormat& f = states.begin()->second.front()->format;
         const BufferFormat buffers{
             .red = f.red, .green = f.green, .blue = f.blue, .alpha = f.alpha, .depth = 0, .stencil = 0};
-        Surface surface(buffers, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
+        TestSurface surface(buffers, kSide, kSide, {.fidelity = Fidelity::Chip, .unit = BlendUnit::Nv2a});
         const GlTable& gl = surface.driver();
         gl.Viewport(0, 0, kSide, kSide);
         for (const auto& [key, group] : states) {

@@ -11,6 +11,7 @@
 
 #include "gl/capability.h"
 #include "scene/load.h"
+#include "test_surface.h"
 #include "tools.h"
 
 namespace gnomon {
@@ -71,7 +72,7 @@ class Studio {
 
   private:
     Profile m_profile;
-    Surface m_surface;
+    TestSurface m_surface;
     Frame m_frame;
 };
 
@@ -93,11 +94,11 @@ constexpr float kHalf = 128.0f / 255;
 /// Red, green and blue of a pixel after each of @p passes.
 std::vector<Pixel> ladder(const std::string& chipId, std::vector<Pass> passes) {
     const Profile profile = chip(chipId);
-    Surface surface(bufferFormatOf(profile), 4, 4, arithmeticOf(profile, {}));
+    TestSurface surface(bufferFormatOf(profile), 4, 4, arithmeticOf(profile, {}));
     const Plan plan{.passes = std::move(passes), .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
     std::vector<Pixel> values;
     render(surface, profile, plan, {}, {},
-           [&](std::size_t) { values.push_back(pixelAt(readColour(surface), 1, 2)); });
+           {.afterPass = [&](std::size_t) { values.push_back(pixelAt(readColour(surface), 1, 2)); }});
     return values;
 }
 
@@ -142,7 +143,7 @@ TEST(Ladder, LeavesALitPixelAt30Of31And62Of63In565) {
 
 TEST(Mask, CallsAValueBelowItsThresholdAShadow) {
     const Profile ideal = chip("ideal");
-    Surface surface(bufferFormatOf(ideal), 4, 4);
+    TestSurface surface(bufferFormatOf(ideal), 4, 4);
     const auto shadow = [&](float value, double threshold) {
         Plan plan{.passes = {clearTo(value)}, .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
         plan.masks = {{.after = 1, .place = MaskPlace::Colour}}, plan.threshold = threshold;
@@ -234,19 +235,19 @@ TEST_P(EachStore, SeesTheShadowFromWithinTheVolumeOnlyWithANearCap) {
 
 TEST(Steps, AreReportedOncePerPassInOrder) {
     const Profile ideal = chip("ideal");
-    Surface surface(bufferFormatOf(ideal), 32, 24);
+    TestSurface surface(bufferFormatOf(ideal), 32, 24);
     const Frame frame = frameOf(twoBoxes(), 32, 24);
     const Plan plan = planFrame(findMethod("roettger-screen")->axes, shapeOf(2, 32, 24), ideal);
     std::vector<std::size_t> seen, foreseen(plan.passes.size());
     for (std::size_t i = 0; i < foreseen.size(); ++i) foreseen[i] = i;
     render(surface, ideal, plan, frame.surfaces, frame.lights(),
-           [&](std::size_t pass) { seen.push_back(pass); });
+           {.afterPass = [&](std::size_t pass) { seen.push_back(pass); }});
     EXPECT_EQ(seen, foreseen);
 }
 
 TEST(Errors, OfOpenGLNameThePass) {
     const Profile ideal = chip("ideal");
-    Surface surface(bufferFormatOf(ideal), 4, 4);
+    TestSurface surface(bufferFormatOf(ideal), 4, 4);
     Pass bad = rectangle({}, 1);
     bad.label = "into a viewport of negative width", bad.target = Target::Mask;
     const Plan plan{.passes = {clearTo(0), bad}, .width = 4, .height = 4, .maskWidth = -1, .maskHeight = 4};
@@ -261,7 +262,7 @@ TEST(Errors, OfOpenGLNameThePass) {
 
 TEST(Errors, OfAnEarlierFrameAreNotThoseOfTheNext) {
     const Profile ideal = chip("ideal");
-    Surface surface(bufferFormatOf(ideal), 4, 4);
+    TestSurface surface(bufferFormatOf(ideal), 4, 4);
     surface.driver().Viewport(0, 0, -1, 4);
     const Plan plan{.passes = {clearTo(0)}, .width = 4, .height = 4, .maskWidth = 4, .maskHeight = 4};
     EXPECT_NO_THROW(render(surface, ideal, plan, {}, {}));
@@ -356,10 +357,12 @@ TEST(SurfaceBuffers, AreTheChips) {
 }
 
 TEST(SurfaceBuffers, OfMoreThanEightBitsPerChannelAreRefused) {
-    EXPECT_THROW(Surface({.red = 10, .green = 10, .blue = 10, .alpha = 0, .depth = 24, .stencil = 8}, 4, 4),
-                 std::runtime_error);
-    EXPECT_THROW(Surface({.red = 12, .green = 12, .blue = 12, .alpha = 12, .depth = 16, .stencil = 0}, 4, 4),
-                 std::runtime_error);
+    EXPECT_THROW(
+        TestSurface({.red = 10, .green = 10, .blue = 10, .alpha = 0, .depth = 24, .stencil = 8}, 4, 4),
+        std::runtime_error);
+    EXPECT_THROW(
+        TestSurface({.red = 12, .green = 12, .blue = 12, .alpha = 12, .depth = 16, .stencil = 0}, 4, 4),
+        std::runtime_error);
 }
 
 // On a chip that only adds, the renderer never calls the extension for other equations.

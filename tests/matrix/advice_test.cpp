@@ -36,6 +36,16 @@ TEST(Advice, RanksByTouchedPixelsAndPutsWhatIsNotDrawnLast) {
     EXPECT_EQ(advice.nextCheaper()->method, "wrong");
 }
 
+TEST(Advice, RanksByTheModelsTimeBeforePixels) {
+    std::vector<AdviceRow> rows{row("few slow", 10, Verdict::Exact), row("many fast", 90, Verdict::Exact),
+                                row("fewer, as fast", 80, Verdict::Exact)};
+    rows[0].cost.passes = {{.fillMs = 3}};
+    rows[1].cost.passes = {{.fillMs = 0.1}, {.fillMs = 0.2}};
+    rows[2].cost.passes = {{.fillMs = 0.3}};
+    EXPECT_THAT(methodsOf(ranked({.rows = rows})), ElementsAre("fewer, as fast", "many fast", "few slow"))
+        << "0.1 + 0.2 is no more than 0.3";
+}
+
 TEST(Advice, RanksEqualPixelsByVerticesThenPassesThenAsTheyCame) {
     std::vector<AdviceRow> rows;
     for (const char* method : {"first", "second", "passes", "vertices"})

@@ -24,7 +24,7 @@ Cell fullCell() {
               .apply = Apply::Texture,
               .shade = Shade::Ambient};
     c.width = 512, c.height = 384, c.frame = 7;
-    c.fidelity = "gl";
+    c.fidelity = "gl", c.device = "egl", c.clock = "gpu";
     c.verdict = Verdict::Wrong;
     c.chosen = true;
     c.missing = {{"stencil_bits", "stencil", "M-TDFX"}, {"blend_equations", "blend equation max", "MAME"}};
@@ -50,11 +50,12 @@ std::vector<std::string> keysOf(const Json& object) {
 // must hold.
 TEST(CellJson, HasTheFieldsOfTheDesignInItsOrder) {
     const std::vector<std::string> fields{
-        "cell",    "profile",    "method",     "scene",   "store",         "arithmetic", "levels",
-        "count",   "silhouette", "mask_scale", "apply",   "shade",         "width",      "height",
-        "frame",   "lights",     "fidelity",   "effects", "verdict",       "chosen",     "missing",
-        "causes",  "passes",     "touched",    "pixels",  "tied",          "wrong",      "unpredicted",
-        "nesting", "warnings",   "vertices",   "cpu_ms",  "unshadowed_ms", "digest"};
+        "cell",     "profile",  "method",     "scene",      "store",         "arithmetic",
+        "levels",   "count",    "silhouette", "mask_scale", "apply",         "shade",
+        "width",    "height",   "frame",      "lights",     "fidelity",      "device",
+        "effects",  "verdict",  "chosen",     "missing",    "causes",        "passes",
+        "touched",  "pixels",   "tied",       "wrong",      "unpredicted",   "nesting",
+        "warnings", "vertices", "clock",      "cpu_ms",     "unshadowed_ms", "digest"};
     const Json json = toJson(fullCell());
     EXPECT_THAT(keysOf(json), ElementsAreArray(fields));
     EXPECT_THAT(keysOf(json["passes"]), ElementsAreArray({"scene", "volume", "rectangle", "copy"}));
@@ -76,6 +77,8 @@ TEST(CellJson, PutsEachValueUnderItsName) {
               R"({"capability":"stencil_bits","what":"stencil","source":"M-TDFX"})");
     EXPECT_EQ(json["nesting"].dump(), R"({"fronts":6,"overlap":3,"levels":4})");
     EXPECT_EQ(json["warnings"].dump(), R"(["resolves 3 levels; up to 4 volumes or fronts may nest"])");
+    EXPECT_EQ(json["device"], "egl");
+    EXPECT_EQ(json["clock"], "gpu");
     EXPECT_EQ(json["cpu_ms"], 1.96);
     EXPECT_EQ(json["unshadowed_ms"], 0.71);
 }

@@ -46,15 +46,29 @@ TEST_P(ChosenMethods, AreExactWhereverAnyMethodIs) {
 INSTANTIATE_TEST_SUITE_P(Scenes, ChosenMethods, testing::ValuesIn(allSceneIds()),
                          [](const auto& test) { return testNameOf(test.param); });
 
-TEST(Options, AreSortedByWhatTheyTouch) {
+TEST(Options, AreSortedByTheModelOrElseByWhatTheyTouch) {
     Lab lab(shippedScene("boxes"));
     for (const char* id : {"ideal", "voodoo2"}) {
-        const auto all = options(lab, chip(id), Shade::Attenuated, 96, 72, 0);
+        const Profile profile = chip(id);
+        const auto all = options(lab, profile, Shade::Attenuated, 96, 72, 0);
         EXPECT_EQ(all.size(), namedMethods().size() - 2) << "all but none and auto";
         for (std::size_t i = 1; i < all.size() && all[i].missing.empty(); ++i) {
             EXPECT_TRUE(all[i - 1].missing.empty()) << all[i].method;
-            EXPECT_LE(all[i - 1].amount.pixels.total(), all[i].amount.pixels.total()) << all[i].method;
+            EXPECT_EQ(all[i].cost.ms() > 0, hasModelRates(profile)) << id << " " << all[i].method;
+            if (hasModelRates(profile))
+                EXPECT_LE(rankedNs(all[i - 1].cost), rankedNs(all[i].cost)) << all[i].method;
+            else
+                EXPECT_LE(all[i - 1].amount.pixels.total(), all[i].amount.pixels.total()) << all[i].method;
         }
+    }
+}
+
+TEST(Options, OfAChipWithRatesCountTheFragmentsThatPass) {
+    Lab lab(shippedScene("boxes"));
+    for (const Option& option : options(lab, chip("tnt"), Shade::Attenuated, 96, 72, 0)) {
+        if (!option.missing.empty()) continue;
+        ASSERT_EQ(option.cost.passes.size(), option.plan.plan.passes.size()) << option.method;
+        EXPECT_TRUE(option.cost.countsPassed) << option.method;
     }
 }
 

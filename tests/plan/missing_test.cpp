@@ -390,13 +390,15 @@ TEST(Missing, WantsProgramsAndAFrameBufferThatTheyRead) {
 }
 
 TEST(Missing, WantsGeometryShadersAndAtomicCountersForSilhouettes) {
-    const Plan plan = planOf({.kind = PassKind::Volume, .drawn = Drawn::Silhouettes});
+    Pass pass{.kind = PassKind::Volume, .drawn = Drawn::Silhouettes, .countsBlockers = true};
     Profile p = programmable();
-    EXPECT_THAT(lacks(p, plan), IsEmpty());
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
     p.geometryShaders = false;
-    EXPECT_THAT(lacks(p, plan), ElementsAre("geometry_shaders"));
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("geometry_shaders"));
     p.geometryShaders = true, p.atomicCounters = false;
-    EXPECT_THAT(lacks(p, plan), ElementsAre("atomic_counters"));
+    EXPECT_THAT(lacks(p, planOf(pass)), ElementsAre("atomic_counters"));
+    pass.countsBlockers = false;
+    EXPECT_THAT(lacks(p, planOf(pass)), IsEmpty());
 }
 
 TEST(Missing, WantsDepthClampWhereAPassClamps) {

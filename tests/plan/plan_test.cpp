@@ -215,6 +215,7 @@ TEST(DescribeState, NamesProgramsAndWhatTheyAdd) {
 TEST(DescribeState, SaysOfAtomiczpThatAShaderDrawsAndCounts) {
     const Pass pass{.kind = PassKind::Volume,
                     .drawn = Drawn::Silhouettes,
+                    .countsBlockers = true,
                     .depthClamp = true,
                     .write = kWriteNothing,
                     .stencil = {.enabled = true, .minusBlockers = true}};

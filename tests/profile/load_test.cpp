@@ -181,7 +181,8 @@ TEST(LoadProfile, ReadsEveryKey) {
         "texture_non_power_of_two = true\nframe_texture = \"direct\"\nculling = true\n"
         "polygon_offset_units = true\npolygon_offset_factor = true\nclip_planes = 6\nshaders = true\n"
         "max_width = 800\nmax_height = 600\nframe_bytes = 4194304\nmegapixels_per_second = 90\n"
-        "megatriangles_per_second = 3.5\ngigabytes_per_second = 0.72\n");
+        "megatriangles_per_second = 3.5\ngigabytes_per_second = 0.72\non_chip_frame = true\n"
+        "bus_megabytes_per_second = 133\n");
     ASSERT_EQ(profile.colourFormats.size(), 2u);
     EXPECT_EQ(profile.colourFormats[0].name, "4444");
     EXPECT_EQ(profile.colourFormats[1].green, 5);
@@ -215,7 +216,9 @@ TEST(LoadProfile, ReadsEveryKey) {
     EXPECT_EQ(profile.megapixelsPerSecond, 90);
     EXPECT_EQ(profile.megatrianglesPerSecond, 3.5);
     EXPECT_EQ(profile.gigabytesPerSecond, 0.72);
-    EXPECT_EQ(profile.facts.size(), 33u /* one per line but the title */);
+    EXPECT_TRUE(profile.onChipFrame);
+    EXPECT_EQ(profile.busMegabytesPerSecond, 133);
+    EXPECT_EQ(profile.facts.size(), 35u /* one per line but the title */);
 }
 
 TEST(LoadProfile, ReadsWhatAChipDoesItsOwnWay) {

@@ -98,6 +98,31 @@ TEST(AdviceText, SaysWhatTheNextCheaperMethodGetsWrongAndWhy) {
         << text;
 }
 
+/// By the model what touches most is the cheapest here.
+TEST(AdviceText, RanksAndTellsTheModelsTimeWhereThereIsOne) {
+    Advice a = advice();
+    a.rates = {"fill 90 Mpixel/s [IXBT]"};
+    const auto take = [&](const char* method, double ms) {
+        for (AdviceRow& r : a.rows)
+            if (r.method == method) r.cost.passes = {{.fillMs = ms}};
+    };
+    take("screen-zfail", 0.5), take("roettger-screen", 1.25), take("screen-parity", 0.75);
+    a = ranked(a);
+    const std::string text = showAdvice(a, Format::Text);
+    EXPECT_LT(text.find("\nscreen-zfail"), text.find("\nscreen-parity"));
+    EXPECT_THAT(text, AllOf(HasSubstr("of full  ms    limit  why"), HasSubstr("0.50     1.25  fill"),
+                            HasSubstr("at least 1.25 ms, limited by fill (fill 90"),
+                            HasSubstr("nothing proves it: screen-zfail (0.50 ms)."),
+                            HasSubstr("screen-parity, would take 0.50 ms less and get 902")))
+        << text;
+    const Json json = jsonOf(a);
+    EXPECT_EQ(json["methods"][0]["model"]["ms"], 0.5);
+    EXPECT_EQ(json["rates"], Json::array({"fill 90 Mpixel/s [IXBT]"}));
+    EXPECT_THAT(showAdvice(a, Format::Csv),
+                AllOf(HasSubstr(",model_ms,model_limit\r\n"), HasSubstr(",1.25,fill\r\n")));
+    EXPECT_TRUE(jsonOf(advice())["methods"][0]["model"].is_null());
+}
+
 TEST(AdviceText, SaysSoWhereNothingIsCheaperOrProved) {
     Advice a = advice();
     a.rows.erase(a.rows.begin());
@@ -231,16 +256,17 @@ TEST(AdviceCsv, IsALineForEachMethodUnderAHead) {
     std::vector<std::string> lines;
     for (std::string line; std::getline(stream, line);) lines.push_back(line);
     ASSERT_EQ(lines.size(), 7u);
-    EXPECT_THAT(lines[0],
-                HasSubstr("profile,scene,width,height,frame,fidelity,method,drawn_as,chosen,verdict,"));
+    EXPECT_THAT(
+        lines[0],
+        HasSubstr("profile,scene,width,height,frame,fidelity,device,method,drawn_as,chosen,verdict,"));
     EXPECT_EQ(
         lines[2],
-        "voodoo2,\"models/a, \"\"b\"\".ply\",320,240,3,gl,roettger-screen,roettger-screen,true,exact,"
-        "\"volumes nest up to 1 deep, 2 can be counted\",,,0,0,2,4,3,0,60,0,100,900,0,0,1000,240,2000\r");
+        "voodoo2,\"models/a, \"\"b\"\".ply\",320,240,3,gl,osmesa,roettger-screen,roettger-screen,true,exact,"
+        "\"volumes nest up to 1 deep, 2 can be counted\",,,0,0,2,4,3,0,60,0,100,900,0,0,1000,240,2000,,\r");
     EXPECT_EQ(
         lines[1].substr(lines[1].find("false,wrong")),
         "false,wrong,,,parity of overlapping volumes 900; mask clamps 2,2,900,2,1,2,0,60,0,100,600,0,0,700,"
-        "240,1400\r");
+        "240,1400,,\r");
 }
 
 }  // namespace

@@ -194,11 +194,11 @@ TEST(ExplainedPlan, IsJsonWithReasonsScissorsAndEffects) {
 TEST(ExplainedPlan, IsCsvWithALinePerEffect) {
     const std::string csv = showPlans({explainedSheet("carmack")}, Format::Csv);
     EXPECT_THAT(csv,
-                AllOf(HasSubstr("chip_terms,reason,vertices,touched\r\n"),
+                AllOf(HasSubstr("chip_terms,reason,vertices,touched,model_ms,model_limit\r\n"),
                       HasSubstr(",,left out,near-caps of light 0,,,nearest volume is 1.21 units from the "
-                                "near rectangle,,\r\n"),
-                      HasSubstr(",,called for,ambient,,,ambient 0.2 of the reflectance,,\r\n"),
-                      HasSubstr(",,asked for,levels of light 0,"), HasSubstr(",30,100\r\n")));
+                                "near rectangle,,,,\r\n"),
+                      HasSubstr(",,called for,ambient,,,ambient 0.2 of the reflectance,,,,\r\n"),
+                      HasSubstr(",,asked for,levels of light 0,"), HasSubstr(",30,100,,\r\n")));
     PlanSheet plain = explainedSheet("carmack");
     plain.notes.reset();
     EXPECT_THAT(showPlans({plain}, Format::Csv),
@@ -211,6 +211,26 @@ TEST(ExplainedPlan, SaysWhatItIsDrawnAsIfNotAsAsked) {
     s.notes->drawnAs = "heidmann";
     EXPECT_THAT(showPlans({s}, Format::Text), HasSubstr("\nDrawn as heidmann\n"));
     EXPECT_EQ(Json::parse(showPlans({s}, Format::Json))[0]["drawn_as"], "heidmann");
+}
+
+TEST(ExplainedPlan, TellsTheTimeOfEachPassWhereTheChipHasRates) {
+    PlanSheet sheet = explainedSheet("roettger-screen");
+    EXPECT_THAT(showPlans({sheet}, Format::Text), Not(HasSubstr("limit")));
+    CostNotes cost{.rates = {"fill 90 Mpixel/s [IXBT]"}};
+    cost.minimal.passes.assign(sheet.plan.passes.size(), {.kind = PassKind::Volume, .fillMs = 0.25});
+    cost.full = cost.minimal;
+    sheet.notes->cost = cost;
+    const std::string text = showPlans({sheet}, Format::Text);
+    EXPECT_THAT(text,
+                AllOf(HasSubstr("pass  draws      touches  ms    limit  what\n"),
+                      HasSubstr("  100      0.25  fill   "), HasSubstr("rates: fill 90 Mpixel/s [IXBT]")))
+        << text;
+    const auto json = nlohmann::json::parse(showPlans({sheet}, Format::Json))[0];
+    EXPECT_EQ(json["passes"][0]["model"]["ms"], 0.25);
+    EXPECT_EQ(json["model"]["ms"], 0.25 * double(sheet.plan.passes.size()));
+    EXPECT_EQ(json["model"]["full"]["limit"], "fill");
+    EXPECT_THAT(showPlans({sheet}, Format::Csv),
+                AllOf(HasSubstr(",model_ms,model_limit\r\n"), HasSubstr(",100,0.25,fill\r\n")));
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(MeshFacts, CountsForTheLightsOfTheScene) {
     const MeshFacts facts = meshFacts(scene, 0);
     ASSERT_EQ(facts.lightSets.size(), 1u);
     const LightSet& set = facts.lightSets[0];
-    const Spread sides = spread(set, Silhouette::Winding, [](const VolumeCount& c) { return c.sides; });
+    const CountSpread sides = spread(set, Silhouette::Winding, [](const VolumeCount& c) { return c.sides; });
     // Three faces, the top face, and none from within.
     EXPECT_EQ(sides.least, 0u);
     EXPECT_EQ(sides.median, 4u);
@@ -100,7 +100,7 @@ TEST(MeshFacts, CountsForTheLightsOfTheScene) {
     EXPECT_THAT(set.title, HasSubstr("2 point and 1 directional"));
 }
 
-TEST(Spread, OfNoLightIsZero) {
+TEST(CountSpread, OfNoLightIsZero) {
     EXPECT_EQ(spread({}, Silhouette::Winding, [](const VolumeCount& c) { return c.caps; }).sum, 0u);
 }
 

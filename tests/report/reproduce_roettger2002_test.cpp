@@ -1,6 +1,6 @@
-// Published figures beside ours.
+// The figures of Roettger, Irion and Ertl 2002 beside ours.
 
-#include "report/reproduce.h"
+#include "report/reproduce_roettger2002.h"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>

@@ -1,8 +1,8 @@
-#include "report/reproduce.h"
+#include "report/reproduce_roettger2002.h"
 
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
+#include <cassert>
 
 #include "report/table.h"
 
@@ -32,23 +32,39 @@ std::vector<Comparison> roettgerTable1() {
     return rows;
 }
 
-std::string showComparisons(const std::vector<Comparison>& rows, Format format) {
+nlohmann::ordered_json comparisonsJson(const std::vector<Comparison>& rows) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    const auto pair = [](int scene, int rectangles) {
+        return nlohmann::ordered_json{{"scene", scene}, {"rectangle", rectangles}};
+    };
+    for (const Comparison& r : rows)
+        all.push_back({{"buffer", r.buffer},
+                       {"shade", r.shade},
+                       {"maximum", r.maximum},
+                       {"method", methodId(r.axes)},
+                       {"published", pair(r.publishedScene, r.publishedRectangles)},
+                       {"counted", pair(r.counted.scene, r.counted.rectangle)},
+                       {"planned", pair(r.planned.scene, r.planned.rectangle)},
+                       {"agrees", r.agrees()}});
+    return all;
+}
+
+std::string showRoettger2002(const std::optional<std::vector<Comparison>>& table1,
+                             const std::optional<Table2>& table2, Format format) {
     if (format == Format::Json) {
-        nlohmann::ordered_json all = nlohmann::ordered_json::array();
-        const auto pair = [](int scene, int rectangles) {
-            return nlohmann::ordered_json{{"scene", scene}, {"rectangle", rectangles}};
-        };
-        for (const Comparison& r : rows)
-            all.push_back({{"buffer", r.buffer},
-                           {"shade", r.shade},
-                           {"maximum", r.maximum},
-                           {"method", methodId(r.axes)},
-                           {"published", pair(r.publishedScene, r.publishedRectangles)},
-                           {"counted", pair(r.counted.scene, r.counted.rectangle)},
-                           {"planned", pair(r.planned.scene, r.planned.rectangle)},
-                           {"agrees", r.agrees()}});
+        nlohmann::ordered_json all = comparisonsJson(table1.value_or(std::vector<Comparison>{}));
+        if (table2) all.push_back(table2Json(*table2));
         return all.dump(2) + "\n";
     }
+    assert(format == Format::Text || !table1 || !table2);
+    std::string text = table1 ? showComparisons(*table1, format) : "";
+    if (table1 && table2) text += "\n";
+    if (table2) text += format == Format::Csv ? table2Csv(*table2) : table2Text(*table2);
+    return text;
+}
+
+std::string showComparisons(const std::vector<Comparison>& rows, Format format) {
+    if (format == Format::Json) return comparisonsJson(rows).dump(2) + "\n";
     std::vector<std::vector<std::string>> table{
         {"buffer", "shade", "blend equation", "method", "published", "counted", "plan", ""}};
     for (const Comparison& r : rows)

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+namespace gnomon {
+
+/// Makes @p file appear whole or not at all: @p write writes it beside its place under another name of the
+/// same ending, and it is renamed.
+/// @throws std::runtime_error  "file: what", in one line, of what @p write throws or if it can't be renamed;
+/// then nothing is left of it
+void writeWhole(const std::filesystem::path& file,
+                const std::function<void(const std::filesystem::path& temporary)>& write);
+
+}  // namespace gnomon

@@ -1,0 +1,108 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "report/cost_report.h"
+
+namespace gnomon {
+namespace {
+
+constexpr const char* kFrontier = "best bargains";
+
+/// The kinds of methods, one colour each.
+const std::vector<std::string> kKinds{"no shadows",   "stencil",    "destination alpha", "colour buffer",
+                                      "16-bit count", "shadow map", "smaller mask"};
+
+std::size_t kindOf(const Axes& axes) {
+    return axes.maskDivisor > 1 ? kKinds.size() - 1 : std::size_t(axes.store);
+}
+
+/// Leaves of the labels of exact points that of the cheapest.
+void nameCheapest(PlotSeries& series) {
+    PlotPoint* cheapest = nullptr;
+    for (PlotPoint& point : series.points) {
+        if (point.y > 0 || point.label.empty()) continue;
+        if (cheapest && !cheapest->marked && point.x < cheapest->x) cheapest->label.clear();
+        if (!cheapest || point.x < cheapest->x)
+            cheapest = &point;
+        else if (!point.marked)
+            point.label.clear();
+    }
+}
+
+/// What a plot is about: the cost of a row, with its spread where it has one, and whether it is on the
+/// frontier.
+struct CostAxis {
+    std::string title{}, cost{};
+    std::string what{};  ///< "takes less time"
+    double (*median)(const CostStudy&, const CostRow&) = nullptr;
+    std::pair<double, double> (*ends)(const CostRow&) = nullptr;
+    bool CostRow::*onFrontier = nullptr;
+};
+
+Plot costPlot(const CostStudy& study, const CostAxis& axis) {
+    const double frames = double(study.frames.size());
+    const auto errorOf = [&](const CostRow& row) { return row.error.wrong() / frames; };
+    Plot plot{
+        .title = fmt::format("{}: {}", study.scene, axis.title),
+        .subtitle = fmt::format(
+            "Every symbol is one way to draw the shadows of this scene on the chip \"{}\" ({}x{}, {}). "
+            "The lower, the fewer pixels differ from exact ray tracing, on the bottom line none; the "
+            "further left, {}. Filled symbols on the grey line are the best bargains: nothing else is "
+            "both cheaper and more exact.",
+            study.profile, study.width, study.height,
+            study.frames.size() == 1 ? fmt::format("frame {}", study.frames.front())
+                                     : fmt::format("mean of {} frames", study.frames.size()),
+            axis.what),
+        .x = {.title = axis.cost, .logarithmic = true},
+        .y = {
+            .title = "wrong pixels per frame", .logarithmic = true, .foot = "0: exact", .spreadsFoot = true}};
+
+    for (const std::string& kind : kKinds) plot.series.push_back({.name = kind});
+    std::vector<const CostRow*> steps;
+    for (const CostRow& row : study.rows) {
+        if (!row.isDrawn()) continue;
+        if (row.*axis.onFrontier) steps.push_back(&row);
+        PlotPoint point{.x = axis.median(study, row), .y = errorOf(row), .marked = row.*axis.onFrontier};
+        const bool isChip = row.setting.way.fidelity.fidelity == Fidelity::Chip;
+        if (point.marked || row.setting.isNamed || (point.y > 0 && !isChip)) point.label = row.setting.name;
+        if (axis.ends) std::tie(point.xLow, point.xHigh) = axis.ends(row);
+        plot.series[kindOf(row.setting.way.axes)].points.push_back(point);
+    }
+    std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
+    // Many are exact.
+    for (PlotSeries& series : plot.series) nameCheapest(series);
+
+    PlotSeries frontier{.name = kFrontier, .stepped = true, .symbols = false};
+    for (const CostRow* row : steps) frontier.points.push_back({axis.median(study, *row), errorOf(*row)});
+    std::sort(frontier.points.begin(), frontier.points.end(), [](const PlotPoint& a, const PlotPoint& b) {
+        return std::pair(a.x, -a.y) < std::pair(b.x, -b.y);
+    });
+    plot.series.insert(plot.series.begin(), std::move(frontier));
+    return plot;
+}
+
+}  // namespace
+
+std::vector<Plot> costPlots(const CostStudy& study) {
+    const CostAxis time{
+        .title = "what exact shadows cost in time",
+        .cost =
+            "time of a frame on this processor, as a multiple of the frame without shadows (bars: quartiles)",
+        .what = "the less time this processor takes (not the chip)",
+        .median = [](const CostStudy&, const CostRow& row) { return row.ratio.median; },
+        .ends = [](const CostRow& row) { return std::pair(row.ratio.low, row.ratio.high); },
+        .onFrontier = &CostRow::onTimeFrontier};
+    const CostAxis touched{.title = "what exact shadows cost in pixels drawn",
+                           .cost = "pixels rasterised per frame, as a multiple of the window",
+                           .what = "the fewer pixels are rasterised, which is the same on every machine",
+                           .median =
+                               [](const CostStudy& s, const CostRow& row) {
+                                   return double(row.amount.pixels.total()) /
+                                          (double(s.width) * s.height * double(s.frames.size()));
+                               },
+                           .onFrontier = &CostRow::onTouchedFrontier};
+    return {costPlot(study, time), costPlot(study, touched)};
+}
+
+}  // namespace gnomon

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "matrix/probe.h"
+#include "report/listings.h"
+
+namespace gnomon {
+
+/// The devices, what draws on them, whose time is taken, and which is the default; or why nothing draws.
+std::string listDevices(const std::vector<DriverFacts>& devices, Format format);
+
+/// What the title of a table says of the device (Cell::device): nothing of the default, else ", on EGL".
+std::string deviceText(const std::string& device);
+
+}  // namespace gnomon
