@@ -70,8 +70,9 @@ MaskValues readDrawnMask(Surface& surface, const Plan& plan, const MaskTap& tap,
 MaskValues readMask(Surface& surface, const Plan& plan, const MaskTap& tap, PassRunner& runner) {
     MaskValues values = readDrawnMask(surface, plan, tap, runner);
     if (tap.outside < 0) return values;
-    assert(plan.maskWidth == plan.width && plan.maskHeight == plan.height);
     const WindowRect& drawn = plan.windows[std::size_t(tap.light)].all;
+    // Pixels of the mask are the window's, unless none is drawn.
+    assert(drawn.empty() || (plan.maskWidth == plan.width && plan.maskHeight == plan.height));
     for (int y = 0; y < plan.height; ++y)
         for (int x = 0; x < plan.width; ++x)
             if (!drawn.holds(x, plan.height - 1 - y))
