@@ -4,6 +4,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/terminal.h"
 #include "matrix/advice.h"
 #include "report/advice_report.h"
 
@@ -21,7 +22,7 @@ struct Options {
 };
 
 int run(const Options& options) {
-    const Format format = options.format.value();
+    const Page page = options.format.value();
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
@@ -29,12 +30,14 @@ int run(const Options& options) {
     const FidelityChoice fidelity = theOnly("--fidelity", options.fidelity.value({profile}));
     lab.use(fidelity);
     const Scene& scene = lab.scene();
-    if (options.frame < 0 || options.frame >= int(scene.frames.size()))
-        throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+    checkFrame("--frame", options.frame, scene);
     for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
 
-    const Advice advice = advise(lab, profile, size.width, size.height, options.frame);
-    fmt::print("{}", showAdvice(advice, format));
+    TerminalProgress bar("methods");
+    const Advice advice = advise(lab, profile, size.width, size.height, options.frame,
+                                 [&](const Progress& at) { bar.show(at); });
+    bar.clear();
+    fmt::print("{}", showAdvice(advice, page));
     return advice.chosen ? 0 : 1;
 }
 
@@ -53,6 +56,7 @@ void addAdvise(CLI::App& app, int& status) {
     options->fidelity.addTo(*command);
     options->device.addTo(*command);
     options->format.addTo(*command);
+    options->format.addColourTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }
 

@@ -17,5 +17,7 @@ void addReproduce(CLI::App& app, int& status);
 void addDevices(CLI::App& app, int& status);
 void addProve(CLI::App& app, int& status);
 void addCost(CLI::App& app, int& status);
+void addHelp(CLI::App& app, int& status);
+void addReport(CLI::App& app, int& status);
 
 }  // namespace gnomon

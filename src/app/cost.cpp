@@ -1,10 +1,11 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_file.h"
+#include "app/terminal.h"
 #include "cost/steady_memory.h"
 #include "matrix/frontier.h"
 #include "report/cost_report.h"
@@ -23,15 +24,8 @@ struct Options {
     std::vector<std::string> frames{};
     std::string output{};
     DeviceOption device{};
-    int repeats = CostRequest{}.repeats;
+    int repeats = 0;  ///< 0: as the number of frames calls for
 };
-
-/// Progress on standard error, and only to a terminal.
-void showProgress(std::size_t done, std::size_t all) {
-    if (!isatty(STDERR_FILENO)) return;
-    fmt::print(stderr, "\r{} of {} steps{}", done, all, done == all ? "\n" : "");
-    std::fflush(stderr);
-}
 
 std::vector<CostSetting> settingsOf(const Options& options, const Profile& profile) {
     const auto fidelities = options.fidelity.value({profile});
@@ -49,39 +43,33 @@ std::vector<CostSetting> settingsOf(const Options& options, const Profile& profi
 }
 
 int run(const Options& options) {
-    const Format format = options.format.value();
+    const Page page = options.format.value();
     checkPlotFile(options.output);
     const Size size = theOnly("--size", options.sizes.value());
     CostRequest request{.profile = theOnly("--profile", options.profiles.load({"ideal"})),
                         .reference = ProfileOption{.ids = {"ideal"}}.load().front(),
                         .width = size.width,
-                        .height = size.height,
-                        .repeats = options.repeats};
+                        .height = size.height};
     request.settings = settingsOf(options, request.profile);
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     lab.drawOn(options.device.value());
     const Scene& scene = lab.scene();
     if (!options.frames.empty()) request.frames = parseFrames(options.frames);
-    for (const int frame : request.frames)
-        if (frame >= int(scene.frames.size()))
-            throw UsageError(
-                fmt::format("--frames: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+    request.repeats = options.repeats ? options.repeats : defaultRepeats(request.frames.size());
+    for (const int frame : request.frames) checkFrame("--frames", frame, scene);
     for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
 
     keepFreedMemory();
-    const CostStudy study = costStudy(lab, request, showProgress);
-    fmt::print("{}", showCost(study, format));
+    TerminalProgress bar("steps");
+    const CostStudy study = costStudy(
+        lab, request, [&](std::size_t done, std::size_t all) { bar.show({.done = done, .all = all}); });
+    bar.clear();
+    fmt::print("{}", showCost(study, page));
     const bool isDrawn =
         std::any_of(study.rows.begin(), study.rows.end(), [](const CostRow& row) { return row.isDrawn(); });
     if (!isDrawn && !options.output.empty())
         fmt::print(stderr, "gnomon: {}: nothing to plot, all is refused\n", options.output);
-    if (isDrawn && !options.output.empty()) {
-        try {
-            savePlots(costPlots(study), options.output);
-        } catch (const std::runtime_error& error) {
-            throw UsageError(error.what());  // the file is the user's choice
-        }
-    }
+    if (isDrawn && !options.output.empty()) writeChosen([&] { savePlots(costPlots(study), options.output); });
     const bool hasFailed = std::any_of(study.rows.begin(), study.rows.end(),
                                        [](const CostRow& row) { return !row.failure.empty(); });
     return hasFailed ? 3 : isDrawn ? 0 : 1;
@@ -106,8 +94,9 @@ void addCost(CLI::App& app, int& status) {
         ->allow_extra_args(false);
     command
         ->add_option("--repeats", options->repeats,
-                     fmt::format("rounds of timing, of {} drawings each", kDrawingsPerRound))
-        ->capture_default_str()
+                     fmt::format("rounds of timing in each frame, of {} drawings each (default: {} in all, "
+                                 "at least 1)",
+                                 kDrawingsPerRound, defaultRepeats(1)))
         ->check(CLI::Range(1, 10'000));
     options->fidelity.addTo(*command);
     options->effects.addTo(*command);

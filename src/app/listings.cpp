@@ -1,3 +1,5 @@
+#include "report/listings.h"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -32,9 +34,9 @@ void addProfiles(CLI::App& app, int& status) {
             ProfileOption choice;
             if (!options->id.empty()) choice.ids = {options->id};
             const auto profiles = choice.load();
-            const Format format = options->format.value();
-            fmt::print("{}", options->id.empty() ? listProfiles(profiles, format)
-                                                 : showProfile(profiles.front(), format));
+            const Page page = options->format.value();
+            fmt::print("{}", options->id.empty() ? listProfiles(profiles, page)
+                                                 : showProfile(profiles.front(), page));
             status = 0;
         });
 }
@@ -51,10 +53,10 @@ void addMethods(CLI::App& app, int& status) {
                     fmt::format("no such method '{}' (known: {})", options->id, fmt::join(known, ", ")));
             methods = {*findMethod(options->id)};
         }
-        const Format format = options->format.value();
-        fmt::print("{}", listMethods(methods, format));
+        const Page page = options->format.value();
+        fmt::print("{}", listMethods(methods, page));
         // JSON and CSV are one list; the values stand in each cell's own fields.
-        if (format == Format::Text && options->id.empty()) fmt::print("\n{}", listAxisValues(format));
+        if (page.format == Format::Text && options->id.empty()) fmt::print("\n{}", listAxisValues(page));
         status = 0;
     });
 }

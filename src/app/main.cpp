@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
@@ -8,7 +9,10 @@
 #include <utility>
 
 #include "app/commands.h"
+#include "app/help.h"
 #include "app/options.h"
+#include "app/terminal.h"
+#include "report/run_file.h"
 
 namespace {
 
@@ -16,6 +20,7 @@ enum Exit { kAsExpected = 0, kBadInput = 2, kOurFault = 3 };
 
 void addCommands(CLI::App& app, int& status) {
     gnomon::addMatrix(app, status);
+    gnomon::addReport(app, status);
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
     gnomon::addAdvise(app, status);
@@ -27,6 +32,8 @@ void addCommands(CLI::App& app, int& status) {
     gnomon::addScenes(app, status);
     gnomon::addMesh(app, status);
     gnomon::addDevices(app, status);
+    gnomon::addHelp(app, status);
+    gnomon::setHelp(app, gnomon::textColumns());
 }
 
 int fail(Exit status, const std::string& what) {
@@ -45,9 +52,6 @@ int main(int argc, char** argv) {
         "gnomon");
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
     app.require_subcommand(1);
-    app.footer(
-        "exit status: 0 as expected, 1 a published figure differs or the chip can't, 2 bad arguments or "
-        "files, 3 our own fault");
     try {
         // CLI11 drops empty words, and an option with them.
         for (int i = 1; i < argc; ++i)
@@ -62,9 +66,16 @@ int main(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::Success& done) {
         return app.exit(done);
+    } catch (const CLI::ExtrasError&) {
+        // CLI11 names them from the last to the first.
+        const std::vector<std::string> left = app.remaining(true);
+        return fail(kBadInput, fmt::format("The following argument{} not expected: {}",
+                                           left.size() > 1 ? "s were" : " was", fmt::join(left, " ")));
     } catch (const CLI::ParseError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::UsageError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::RunError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::SceneError& error) {
         return fail(kBadInput, error.what());

@@ -1,11 +1,12 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdio>
 #include <thread>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/report_file.h"
+#include "app/terminal.h"
 #include "report/matrix_report.h"
 
 namespace gnomon {
@@ -20,18 +21,13 @@ struct Options {
     EffectsOption effects{};
     FormatOption format{};
     DeviceOption device{};
+    ReportFile report{};
     std::vector<std::string> frames{};
     int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
 };
 
-/// Progress on standard error, and only to a terminal.
-void showProgress(std::size_t done, std::size_t all) {
-    if (!isatty(STDERR_FILENO)) return;
-    fmt::print(stderr, "\r{} of {} cells{}", done, all, done == all ? "\n" : "");
-    std::fflush(stderr);
-}
-
 int run(const Options& options) {
+    options.report.check();
     MatrixRequest request;
     std::string dropped;
     request.methods = options.methods.axes(dropped);
@@ -42,11 +38,10 @@ int run(const Options& options) {
     request.fidelities = options.fidelity.value(request.profiles);
     request.device = options.device.value();
     request.effects = options.effects.value();
+    request.view = options.scenes.view();
     request.jobs = options.jobs;
     for (const Scene& scene : request.scenes) {
-        if (framesOf(request, scene).empty())
-            throw UsageError(
-                fmt::format("--frames: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+        if (framesOf(request, scene).empty()) checkFrame("--frames", request.frames.front(), scene);
         const int last = int(scene.frames.size()) - 1;
         for (const int frame : request.frames)
             if (frame > last) {
@@ -57,11 +52,20 @@ int run(const Options& options) {
     }
     if (!dropped.empty()) fmt::print(stderr, "{}\n", dropped);
 
-    const std::vector<Cell> cells = runMatrix(request, showProgress);
-    const Format format = options.format.value();
-    fmt::print("{}", format == Format::Json  ? matrixJson(cells)
-                     : format == Format::Csv ? matrixCsv(cells)
-                                             : matrixText(cells));
+    TerminalProgress bar("cells");
+    const std::vector<Cell> cells = runMatrix(request, [&](const Progress& at) { bar.show(at); });
+    bar.clear();
+    const Page page = options.format.value();
+    fmt::print("{}", page.format == Format::Json  ? matrixJson(cells)
+                     : page.format == Format::Csv ? matrixCsv(cells)
+                                                  : matrixText(cells, page));
+    if (options.report.isWanted()) {
+        RunSources sources;
+        for (const Profile& profile : request.profiles) sources.profiles.emplace(profile.id, profile);
+        for (const Scene& scene : request.scenes)
+            sources.scenes.emplace(std::pair(scene.id, request.view), scene);
+        options.report.write(cells, sources, options.jobs);
+    }
     for (const Cell& cell : cells)
         if (cell.verdict == Verdict::Failed) return 3;
     return 0;
@@ -89,6 +93,8 @@ void addMatrix(CLI::App& app, int& status) {
     options->effects.addTo(*command);
     options->device.addTo(*command);
     options->format.addTo(*command);
+    options->format.addColourTo(*command);
+    options->report.addTo(*command, "--report");
     command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
         ->check(CLI::Range(1, 256));
     command->callback([options, &status] { status = run(*options); });

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
+#include "app/terminal.h"
 #include "matrix/hard_run.h"
 #include "matrix/probe.h"
 #include "method/from_words.h"
@@ -118,23 +118,11 @@ std::filesystem::path dataFolder(const std::string& name) {
     };
     for (auto folder = std::filesystem::read_symlink("/proc/self/exe", none).parent_path();
          folder.has_relative_path(); folder = folder.parent_path())
-        if (isRoot(folder)) return folder / name;
+        for (const auto& root : {folder, folder / "share/gnomon"})
+            if (isRoot(root)) return root / name;
     // Built outside of the repository.
     if (isRoot(GNOMON_SOURCE)) return std::filesystem::path(GNOMON_SOURCE) / name;
     throw UsageError(fmt::format("no folder {}/ beside or above the program", name));
-}
-
-void checkPlotFile(const std::string& output) {
-    if (output.empty()) return;
-    const std::filesystem::path file(output);
-    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    std::error_code error;
-    if (file.extension() != ".png" && file.extension() != ".svg")
-        throw UsageError(fmt::format("{}: a plot's name ends in .svg or .png", output));
-    if (!std::filesystem::is_directory(folder, error))
-        throw UsageError(fmt::format("{}: no folder {}", output, folder.string()));
-    if (access(folder.c_str(), W_OK) != 0) throw UsageError(fmt::format("{}: can't be written", output));
-    if (std::filesystem::is_directory(file, error)) throw UsageError(fmt::format("{}: is a folder", output));
 }
 
 void FormatOption::addTo(CLI::App& app) {
@@ -143,8 +131,20 @@ void FormatOption::addTo(CLI::App& app) {
         ->check(CLI::IsMember({"text", "json", "csv"}));
 }
 
-Format FormatOption::value() const {
-    return word == "json" ? Format::Json : word == "csv" ? Format::Csv : Format::Text;
+void FormatOption::addColourTo(CLI::App& app) {
+    app.add_option("--colour", colour,
+                   "verdicts in colours: auto (on a terminal, unless NO_COLOR is set), always, never")
+        ->capture_default_str()
+        ->check(CLI::IsMember({"auto", "always", "never"}));
+}
+
+Page FormatOption::value() const {
+    Page page = word == "json" ? Format::Json : word == "csv" ? Format::Csv : Format::Text;
+    page.width = textColumns();
+    const char* noColour = std::getenv("NO_COLOR");
+    const bool mayColour = isTerminal(STDOUT_FILENO) && !(noColour && *noColour != 0);
+    page.colours = colour == "always" || (colour == "auto" && mayColour);
+    return page;
 }
 
 void ProfileOption::addTo(CLI::App& app, const std::string& help) {
@@ -247,6 +247,41 @@ std::vector<Scene> SceneOption::load(const std::vector<std::string>& fallback) c
     }
     for (Scene& scene : scenes) takeLights(scene, lights);
     return scenes;
+}
+
+std::map<std::string, std::string> SceneOption::view() const {
+    std::map<std::string, std::string> flags;
+    const auto add = [&](const char* flag, const std::string& value) {
+        if (!value.empty()) flags[flag] = value;
+    };
+    add("light", light), add("eye", eye), add("target", target), add("ground", ground), add("lights", lights);
+    if (fov) flags["fov"] = fmt::format("{}", *fov);
+    if (near) flags["near"] = fmt::format("{}", *near);
+    return flags;
+}
+
+void SceneOption::place(const std::map<std::string, std::string>& view) {
+    for (const auto& [flag, value] : view) {
+        const auto number = [&, word = flag, text = value] {
+            return double(numbers("--" + word, text, 1, 1).front());
+        };
+        if (flag == "light")
+            light = value;
+        else if (flag == "eye")
+            eye = value;
+        else if (flag == "target")
+            target = value;
+        else if (flag == "lights")
+            lights = value;
+        else if (flag == "ground" && (value == "yes" || value == "no"))
+            ground = value;
+        else if (flag == "fov")
+            fov = number();
+        else if (flag == "near")
+            near = number();
+        else
+            throw UsageError(fmt::format("no view '{} {}'", flag, value));
+    }
 }
 
 void MethodOption::addTo(CLI::App& app) {
@@ -419,6 +454,8 @@ std::optional<Effects> EffectsOption::value() const {
         const bool isWhole = word == "full" || word == "needed";
         if (isWhole && words.size() > 1)
             throw UsageError(fmt::format("--effects: '{}' stands by itself, not in a list", word));
+        if (std::count(words.begin(), words.end(), word) > 1)
+            throw UsageError(fmt::format("--effects: '{}' stands there twice", word));
         if (!isWhole && !effectNamed(word))
             throw UsageError(fmt::format(
                 "--effects: no such effect '{}'; it is full, needed, or a list of effects", word));
@@ -458,6 +495,11 @@ void addHostMs(CLI::App& app, double& hostMs) {
             const bool isNumber = CLI::detail::lexical_cast(word, value);
             return isNumber && value >= 0 && value <= 1e6 ? "" : word + " is not in 0 to 1000000";
         });
+}
+
+void checkFrame(const std::string& flag, int frame, const Scene& scene) {
+    if (frame < 0 || frame >= int(scene.frames.size()))
+        throw UsageError(fmt::format("{}: {} has frames 0 to {}", flag, scene.id, scene.frames.size() - 1));
 }
 
 std::vector<int> parseFrames(const std::vector<std::string>& words) {

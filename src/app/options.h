@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -11,7 +12,7 @@
 #include "matrix/run.h"
 #include "method/method.h"
 #include "profile/profile.h"
-#include "report/listings.h"
+#include "report/page.h"
 #include "scene/load.h"
 
 namespace gnomon {
@@ -30,20 +31,18 @@ T theOnly(const std::string& flag, std::vector<T> values) {
     return std::move(values.front());
 }
 
-/// Where profiles/ or scenes/ lies: beside the program or in a folder above it.
+/// Where profiles/ or scenes/ lies: beside the program or in a folder above it, or in share/gnomon there.
 /// @throws UsageError if there is none
 std::filesystem::path dataFolder(const std::string& name);
 
-/// Refuses a plot that could not be written, before anything is drawn.
-/// @param output  .svg or .png; empty: none is asked for
-/// @throws UsageError
-void checkPlotFile(const std::string& output);
-
-/// --format
+/// --format, and --colour where there are verdicts.
 struct FormatOption {
-    std::string word = "text";
+    std::string word = "text", colour = "auto";
     void addTo(CLI::App& app);
-    Format value() const;
+    void addColourTo(CLI::App& app);
+    /// As wide as the terminal on standard output, kPageColumns where there is none. Colours are asked for,
+    /// or the terminal has them and NO_COLOR (no-color.org) is not set.
+    Page value() const;
 };
 
 /// --profile, each a comma list; file names are taken as well as ids.
@@ -63,6 +62,11 @@ struct SceneOption {
     /// @p fallback: the ids when none is given; empty: those in scenes/ itself. The id "hard" stands for all
     /// of scenes/hard, "all" for both.
     std::vector<Scene> load(const std::vector<std::string>& fallback = {}) const;
+    /// Cell::view: what was given of where light and camera stand.
+    std::map<std::string, std::string> view() const;
+    /// Takes a Cell::view back.
+    /// @throws UsageError  an unknown flag, or a value that is no number
+    void place(const std::map<std::string, std::string>& view);
 };
 
 /// --method and the axes.
@@ -104,6 +108,11 @@ void addHostMs(CLI::App& app, double& hostMs);
 
 /// "0,15" or "0-59"; each a comma list.
 std::vector<int> parseFrames(const std::vector<std::string>& words);
+
+/// Refuses a frame that the camera path of @p scene doesn't have.
+/// @param flag  that named it
+/// @throws UsageError
+void checkFrame(const std::string& flag, int frame, const Scene& scene);
 
 /// --fidelity, and what decides of the chip's arithmetic where there is a choice.
 struct FidelityOption {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "report/table.h"
+
 namespace gnomon {
 
 std::optional<Axes> choosePath(Lab& lab, const Profile& profile, Shade shade, int width, int height,
@@ -15,7 +17,8 @@ std::optional<Axes> choosePath(Lab& lab, const Profile& profile, Shade shade, in
             continue;
         }
         words += fmt::format("{}: not on {}, which lacks\n", methodId(candidate.axes), profile.id);
-        for (const Missing& m : candidate.missing) words += fmt::format("  {} [{}]\n", m.what, m.source);
+        for (const Missing& m : candidate.missing)
+            words += fmt::format("  {}\n", wrapText(fmt::format("{} [{}]", m.what, m.source), 4));
     }
     if (!chosen) words += fmt::format("{} can run none of them\n", profile.id);
     return chosen;

@@ -6,8 +6,11 @@
 #include "app/commands.h"
 #include "app/options.h"
 #include "app/path.h"
+#include "app/show.h"
+#include "image/scale.h"
 #include "matrix/choice.h"
 #include "plan/chip_terms.h"
+#include "report/listings.h"
 
 namespace gnomon {
 namespace {
@@ -19,6 +22,7 @@ struct Options {
     SizeOption sizes{};
     EffectsOption effects{};
     FormatOption format{};
+    ShowOption show{};
     DeviceOption device{};
     int frame = 0;
     double hostMs = 0;
@@ -64,16 +68,29 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
     return sheet;
 }
 
+/// The frame as it is drawn by @p axes, and the mask beside it; nothing where the chip can't draw it.
+std::string pictureText(Lab& lab, const Profile& profile, const Axes& axes, const Size& size,
+                        const Options& options) {
+    Pictures pictures;
+    const Cell cell = lab.run(profile, axes, size.width, size.height, options.frame, &pictures);
+    if (cell.verdict == Verdict::Failed)
+        throw std::runtime_error(fmt::format("{}: {}", cell.id(), cell.error));
+    if (cell.verdict == Verdict::Refused) return {};
+    constexpr int kGap = 8;  // pixels
+    return options.show.text(beside(pictures.image, pictures.mask, kGap)) + "\n";
+}
+
 int run(const Options& options) {
-    const Format format = options.format.value();
+    const Page page = options.format.value();
+    options.show.check(page);
     const std::optional<Effects> effects = options.effects.value();
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
+    if (options.hostMs > 0 && !options.explain)
+        throw UsageError("--host-ms: the cost is part of what --explain says");
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     lab.drawOn(options.device.value());
-    if (options.frame < 0 || options.frame >= int(lab.scene().frames.size()))
-        throw UsageError(
-            fmt::format("--frame: {} has frames 0 to {}", lab.scene().id, lab.scene().frames.size() - 1));
+    checkFrame("--frame", options.frame, lab.scene());
 
     std::vector<Axes> methods;
     if (options.methods.isEmpty()) {
@@ -82,7 +99,7 @@ int run(const Options& options) {
             if (const auto axes =
                     choosePath(lab, profile, shade, size.width, size.height, options.frame, words))
                 methods.push_back(*axes);
-        if (format == Format::Text) fmt::print("{}\n", words);
+        if (page.format == Format::Text) fmt::print("{}\n", words);
     } else {
         std::string dropped;
         methods = options.methods.axes(dropped);
@@ -91,7 +108,15 @@ int run(const Options& options) {
     lab.simulate(effects);
     std::vector<PlanSheet> sheets;
     for (const Axes& axes : methods) sheets.push_back(sheetOf(lab, profile, size, options, axes));
-    fmt::print("{}", showPlans(sheets, format));
+    if (!options.show.isGiven()) {
+        fmt::print("{}", showPlans(sheets, page));
+        return 0;
+    }
+    // What is explained is the plan with what the frame calls for.
+    if (options.explain && !effects) lab.simulate(Effects::none());
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        fmt::print("{}{}", pictureText(lab, profile, methods[i], size, options),
+                   showPlans({sheets[i]}, page));
     return 0;
 }
 
@@ -113,6 +138,7 @@ void addPlan(CLI::App& app, int& status) {
     options->effects.addTo(*command);
     options->device.addTo(*command);
     options->format.addTo(*command);
+    options->show.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }
 

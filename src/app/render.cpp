@@ -1,16 +1,20 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_file.h"
 #include "app/path.h"
+#include "app/show.h"
 #include "gl/stopwatch.h"
+#include "matrix/film_strip.h"
 #include "report/cause_picture.h"
 #include "report/matrix_report.h"
+#include "report/table.h"
+#include "report/verdict_colour.h"
 
 namespace gnomon {
 namespace {
@@ -23,6 +27,7 @@ struct Options {
     FidelityOption fidelity{};
     EffectsOption effects{};
     FormatOption format{};
+    ShowOption show{};
     DeviceOption device{};
     int frame = 0;
     std::string image{}, mask{}, truth{}, steps{};
@@ -33,24 +38,18 @@ std::function<void(Surface&, std::size_t)> stepWriter(const std::filesystem::pat
     std::error_code error;
     std::filesystem::create_directories(folder, error);
     if (error) throw UsageError(fmt::format("--steps: {}: {}", folder.string(), error.message()));
-    return [folder, plan](Surface& surface, std::size_t pass) {
-        const auto file = [&](const char* buffer) {
-            return folder / fmt::format("{:03}-{}.png", pass + 1, buffer);
+    const MaskBuffer buffer = maskBufferOf(plan);
+    return stripReader(stripPasses(plan, plan.passes.size()), buffer, [folder, buffer](StripPicture step) {
+        const auto file = [&](const std::string& of) {
+            return folder / fmt::format("{:03}-{}.png", step.pass + 1, of);
         };
-        writeImage(file("colour"), readColour(surface));
-        if (plan.maskPlace() == MaskPlace::Stencil) {
-            // Counts are small numbers: 0 black, 1 to 7 in steps of 32, more white.
-            Image stencil = readStencil(surface);
-            for (std::uint8_t& value : stencil.data) value = std::uint8_t(std::min(255, value * 32));
-            writeImage(file("stencil"), stencil);
-        }
-        if (plan.maskPlace() == MaskPlace::Alpha) {
-            const Image colour = readColour(surface, true);
-            Image alpha{colour.width, colour.height, 1, {}};
-            for (std::size_t i = 3; i < colour.data.size(); i += 4) alpha.data.push_back(colour.data[i]);
-            writeImage(file("alpha"), alpha);
-        }
-    };
+        writeImage(file("colour"), step.colour);
+        if (buffer == MaskBuffer::None) return;
+        // Counts are small numbers: 0 black, 1 to 7 in steps of 32, more white.
+        if (buffer == MaskBuffer::Stencil)
+            for (std::uint8_t& value : step.mask.data) value = std::uint8_t(std::min(255, value * 32));
+        writeImage(file(name(buffer)), step.mask);
+    });
 }
 
 const char* proofText(Proof proof) {
@@ -67,39 +66,38 @@ const char* proofText(Proof proof) {
     return "";
 }
 
-std::string summary(const Cell& cell) {
-    std::string text = fmt::format("{}: {}\n", cell.id(), name(cell.verdict));
-    if (cell.verdict == Verdict::Failed) return text + "  " + cell.error + "\n";
-    for (const Missing& m : cell.missing) text += fmt::format("  lacks {} [{}]\n", m.what, m.source);
+std::string summary(const Cell& cell, const Page& page) {
+    std::string text =
+        fmt::format("{}: {}\n", cell.id(), inColour(name(cell.verdict), cell.verdict, page.colours));
+    const auto line = [&](const std::string& words) {
+        text += fmt::format("  {}\n", wrapText(words, 4, page.width));
+    };
+    if (cell.verdict == Verdict::Failed) {
+        line(cell.error);
+        return text;
+    }
+    for (const Missing& m : cell.missing) line(fmt::format("lacks {} [{}]", m.what, m.source));
     if (cell.verdict == Verdict::Refused) return text;
-    text += fmt::format(
-        "  wrong pixels: {} at the boundary of shadows, {} away from it; tied: {} by truth, {} by count; of "
-        "{}\n",
-        cell.wrongEdge, cell.wrongInterior, cell.tiedTruth, cell.tiedCount, cell.pixels);
-    for (const auto& [cause, pixels] : cell.causes) text += fmt::format("  {}: {}\n", cause, pixels);
-    text += fmt::format("  unpredicted: {} untied pixels hold what exact arithmetic does not allow\n",
-                        cell.unpredicted);
-    for (const std::string& warning : cell.warnings) text += fmt::format("  warning: {}\n", warning);
-    text += fmt::format("  passes: {} scene, {} volume, {} rectangle, {} copy\n", cell.passes.scene,
-                        cell.passes.volume, cell.passes.rectangle, cell.passes.copy);
-    if (!cell.drawnBy.empty())
-        text += fmt::format("  drawn by: {}, {}\n", cell.drawnBy, proofText(cell.proof));
-    if (cell.effects != Effects::all()) text += fmt::format("  effects: {}\n", toString(cell.effects));
-    text += fmt::format(
-        "  cost: {} touched pixels, {} vertices, {:.2f} ms of this {} ({:.2f} ms without shadows)\n",
-        cell.touched.total(), cell.vertices, cell.cpuMs,
-        cell.clock == name(DrawClock::Gpu) ? "GPU" : "processor", cell.unshadowedMs);
+    line(fmt::format(
+        "wrong pixels: {} at the boundary of shadows, {} away from it; tied: {} by truth, {} by count; of {}",
+        cell.wrongEdge, cell.wrongInterior, cell.tiedTruth, cell.tiedCount, cell.pixels));
+    for (const auto& [cause, pixels] : cell.causes) line(fmt::format("{}: {}", cause, pixels));
+    line(fmt::format("unpredicted: {} untied pixels hold what exact arithmetic does not allow",
+                     cell.unpredicted));
+    for (const std::string& warning : cell.warnings) line(fmt::format("warning: {}", warning));
+    line(fmt::format("passes: {} scene, {} volume, {} rectangle, {} copy", cell.passes.scene,
+                     cell.passes.volume, cell.passes.rectangle, cell.passes.copy));
+    if (!cell.drawnBy.empty()) line(fmt::format("drawn by: {}, {}", cell.drawnBy, proofText(cell.proof)));
+    if (cell.effects != Effects::all()) line(fmt::format("effects: {}", toString(cell.effects)));
+    line(fmt::format("cost: {} touched pixels, {} vertices, {:.2f} ms of this {} ({:.2f} ms without shadows)",
+                     cell.touched.total(), cell.vertices, cell.cpuMs,
+                     cell.clock == name(DrawClock::Gpu) ? "GPU" : "processor", cell.unshadowedMs));
     return text;
 }
 
 /// Writes @p image where the user wants it, if anywhere.
 void writeOutput(const std::string& file, const Image& image) {
-    if (file.empty()) return;
-    try {
-        writeImage(file, image);
-    } catch (const std::runtime_error& error) {
-        throw UsageError(error.what());  // the file is the user's choice
-    }
+    if (!file.empty()) writeChosen([&] { writeImage(file, image); });
 }
 
 /// "mask.png" -> "mask-causes.png".
@@ -115,35 +113,29 @@ void checkOutputs(const Options& options) {
     std::vector<std::filesystem::path> files;
     for (const std::string& file : {options.image, options.mask, causesFile(options.mask), options.truth}) {
         if (file.empty()) continue;
-        const std::filesystem::path path(file);
-        const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+        checkOutputFile(file, {".png"}, "no .png file");
         std::error_code error;
-        if (path.extension() != ".png") throw UsageError(file + ": no .png file");
         const std::filesystem::path whole =
-            std::filesystem::weakly_canonical(std::filesystem::absolute(path), error);
+            std::filesystem::weakly_canonical(std::filesystem::absolute(file), error);
         if (std::find(files.begin(), files.end(), whole) != files.end())
-            throw UsageError(file + ": named for two outputs");
-        if (!std::filesystem::is_directory(folder, error))
-            throw UsageError(file + ": no folder " + folder.string());
-        if (access(folder.c_str(), W_OK) != 0) throw UsageError(file + ": can't be written");
-        if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-            throw UsageError(file + ": is no regular file");
+            throw UsageError(fmt::format("{}: named for two outputs", file));
         files.push_back(whole);
     }
 }
 
 int run(const Options& options) {
     checkOutputs(options);
-    const Format format = options.format.value();
+    const Page page = options.format.value();
+    options.show.check(page);
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
     Lab lab(theOnly("--scene", options.scenes.load({"roettger"})));
     lab.drawOn(options.device.value());
-    lab.use(theOnly("--fidelity", options.fidelity.value({profile})));
+    const FidelityChoice fidelity = theOnly("--fidelity", options.fidelity.value({profile}));
+    lab.use(fidelity);
     lab.simulate(options.effects.value());
     const Scene& scene = lab.scene();
-    if (options.frame < 0 || options.frame >= int(scene.frames.size()))
-        throw UsageError(fmt::format("--frame: {} has frames 0 to {}", scene.id, scene.frames.size() - 1));
+    checkFrame("--frame", options.frame, scene);
     for (const std::string& note : scene.notes) fmt::print(stderr, "{}: {}\n", scene.id, note);
 
     std::optional<Axes> axes;
@@ -151,8 +143,8 @@ int run(const Options& options) {
     if (options.methods.isEmpty()) {
         axes = choosePath(lab, profile, options.methods.shadeList().front(), size.width, size.height,
                           options.frame, words);
-        if (format == Format::Text || !axes)
-            fmt::print(format == Format::Text ? stdout : stderr, "{}", words);
+        if (page.format == Format::Text || !axes)
+            fmt::print(page.format == Format::Text ? stdout : stderr, "{}", words);
     } else {
         const auto methods = options.methods.axes(words);
         if (methods.size() != 1)
@@ -168,16 +160,18 @@ int run(const Options& options) {
     Pictures pictures;
     Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
     cell.chosen = options.methods.isEmpty();
+    addQuestion(cell, fidelity, options.scenes.view());
     if (cell.verdict != Verdict::Refused && cell.verdict != Verdict::Failed) {
         writeOutput(options.image, pictures.image);
         writeOutput(options.mask, pictures.mask);
         if (!options.mask.empty())
             writeOutput(causesFile(options.mask), causePicture(pictures.mask, pictures.causes));
         writeOutput(options.truth, pictures.truth);
+        if (options.show.isGiven()) fmt::print("{}", options.show.text(pictures.image));
     }
-    fmt::print("{}", format == Format::Json  ? matrixJson({cell})
-                     : format == Format::Csv ? matrixCsv({cell})
-                                             : summary(cell));
+    fmt::print("{}", page.format == Format::Json  ? matrixJson({cell})
+                     : page.format == Format::Csv ? matrixCsv({cell})
+                                                  : summary(cell, page));
     if (cell.verdict == Verdict::Refused) return 1;
     if (cell.verdict == Verdict::Failed) return 3;
     return 0;
@@ -207,6 +201,8 @@ void addRender(CLI::App& app, int& status) {
     options->effects.addTo(*command);
     options->device.addTo(*command);
     options->format.addTo(*command);
+    options->format.addColourTo(*command);
+    options->show.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }
 

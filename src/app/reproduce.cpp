@@ -9,6 +9,7 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/output_file.h"
 #include "matrix/probe.h"
 
 namespace gnomon {
@@ -44,9 +45,13 @@ int run(const Options& options) {
                                     [&](const ReproducedPaper& p) { return p.id == options.paper; });
     const auto& tables = paper->tables;
     if (options.table && std::find(tables.begin(), tables.end(), *options.table) == tables.end())
-        throw UsageError(tables.empty() ? fmt::format("--table: {} is reproduced as a whole", paper->id)
-                                        : fmt::format("--table: of {} only table {} is reproduced", paper->id,
-                                                      fmt::join(tables, " and ")));
+        throw UsageError(
+            tables.empty()
+                ? fmt::format("--table: {} is reproduced as a whole", paper->id)
+                : fmt::format("--table: of {}, {} {} reproduced", paper->id,
+                              fmt::format("{} {}", tables.size() == 1 ? "only table" : "only tables",
+                                          fmt::join(tables, " and ")),
+                              tables.size() == 1 ? "is" : "are"));
     const std::vector<std::pair<std::string, bool>> given{{"--scene", !options.scenes.ids.empty()},
                                                           {"--size", !options.sizes.words.empty()},
                                                           {"--frames", options.frames.has_value()},
@@ -57,10 +62,12 @@ int run(const Options& options) {
     for (const auto& [flag, isGiven] : given)
         if (isGiven && !paper->flags.contains(flag))
             throw UsageError(fmt::format("{}: not for {}", flag, paper->id));
+    if (options.measures && options.table && *options.table != 2)
+        throw UsageError(fmt::format("--measure: only with table 2 of {}", paper->id));
 
     checkPlotFile(options.plot);
     ReproduceOptions wanted{.table = options.table,
-                            .format = options.format.value(),
+                            .page = options.format.value(),
                             .frames = options.frames,
                             .repeats = options.repeats,
                             .subdivide = options.subdivide,

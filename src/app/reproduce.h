@@ -8,7 +8,7 @@
 
 #include "gl/device.h"
 #include "matrix/run.h"
-#include "report/listings.h"
+#include "report/page.h"
 #include "scene/scene.h"
 
 namespace gnomon {
@@ -16,7 +16,7 @@ namespace gnomon {
 /// What `gnomon reproduce` was asked for, besides the paper. What a paper has no use for is refused.
 struct ReproduceOptions {
     std::optional<int> table{};  ///< none: all of the paper's
-    Format format = Format::Text;
+    Page page{};
     std::optional<std::vector<Scene>> scenes{};  ///< in the place of those that come with gnomon
     std::optional<Size> size{};
     std::optional<int> frames{}, repeats{};  ///< of each scene's path; rounds

@@ -66,7 +66,7 @@ int reproduceAldridge(const ReproduceOptions& options) {
     const auto times = lab.frameTimes(ways, size.width, size.height, 0, run.repeats);
     for (std::size_t i = 0; i < ways.size(); ++i)
         for (const FrameTime& time : times[i]) run.rows[i].frameMs.push_back(time.total());
-    fmt::print("{}", showAldridge(run, options.format));
+    fmt::print("{}", showAldridge(run, options.page));
     return 0;
 }
 

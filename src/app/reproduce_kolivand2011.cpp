@@ -6,6 +6,7 @@
 
 #include "app/options.h"
 #include "app/reproduce.h"
+#include "app/terminal.h"
 #include "matrix/lab.h"
 #include "scene/camera_path.h"
 
@@ -33,7 +34,9 @@ int reproduceKolivand2011(const ReproduceOptions& options) {
     }
     Lab lab(std::move(scene));
     lab.drawOn(options.device);
+    TerminalProgress bar("frames");
     for (int frame = 0; frame < run.frames; ++frame) {
+        bar.show({.done = std::size_t(frame), .all = std::size_t(run.frames)});
         const auto times = lab.frameTimes(ways, size.width, size.height, frame, run.repeats);
         for (std::size_t way = 0; way < ways.size(); ++way)
             for (std::size_t i = 0; i < times[way].size(); ++i) {
@@ -41,8 +44,9 @@ int reproduceKolivand2011(const ReproduceOptions& options) {
                 run.rows[way].totalMs[i] += times[way][i].total() / run.frames;
             }
     }
+    bar.clear();
     compareRates(run.rows);
-    fmt::print("{}", showKolivand(run, options.format));
+    fmt::print("{}", showKolivand(run, options.page));
     return 0;
 }
 

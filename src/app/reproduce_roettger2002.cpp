@@ -8,6 +8,7 @@
 
 #include "app/options.h"
 #include "app/reproduce.h"
+#include "app/terminal.h"
 #include "cost/spread.h"
 #include "matrix/lab.h"
 
@@ -23,7 +24,10 @@ std::vector<Comparison> countedTable1(Device device) {
     lab.drawOn(device);
     const Size size{};
     std::vector<Comparison> rows = roettgerTable1();
-    for (Comparison& row : rows) {
+    TerminalProgress bar("rows");
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        Comparison& row = rows[i];
+        bar.show({.done = i, .all = rows.size()});
         row.planned = countPasses(lab.plan(ideal, row.axes, size.width, size.height, 0));
         const Cell cell = lab.run(ideal, row.axes, size.width, size.height, 0);
         if (cell.verdict == Verdict::Failed) throw std::runtime_error(cell.id() + ": " + cell.error);
@@ -83,13 +87,13 @@ Table2 modelledTable2(bool measures, Device device) {
 }  // namespace
 
 int reproduceRoettger2002(const ReproduceOptions& options) {
-    if (!options.table && options.format == Format::Csv)
+    if (!options.table && options.page.format == Format::Csv)
         throw UsageError("--format: tables 1 and 2 have different columns; choose one by --table");
     std::optional<std::vector<Comparison>> table1;
     std::optional<Table2> table2;
     if (options.wants(1)) table1 = countedTable1(options.device);
     if (options.wants(2)) table2 = modelledTable2(options.measures, options.device);
-    fmt::print("{}", showRoettger2002(table1, table2, options.format));
+    fmt::print("{}", showRoettger2002(table1, table2, options.page));
     if (!table1) return 0;
     const bool allAgree =
         std::all_of(table1->begin(), table1->end(), [](const Comparison& row) { return row.agrees(); });

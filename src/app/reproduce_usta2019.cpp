@@ -5,7 +5,9 @@
 #include <cstdio>
 
 #include "app/options.h"
+#include "app/output_file.h"
 #include "app/reproduce.h"
+#include "app/terminal.h"
 #include "matrix/lab.h"
 #include "scene/camera_path.h"
 #include "scene/subdivide.h"
@@ -33,7 +35,8 @@ std::vector<double> maskMs(const std::vector<FrameTime>& times) {
     return ms;
 }
 
-UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run, Device device) {
+UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run, Device device, TerminalProgress& bar,
+                   Progress& at) {
     UstaScene out{.scene = scene.id, .triangles = triangleCount(scene)};
     std::vector<TimedWay> ways;
     for (const Method& method : methods()) {
@@ -46,7 +49,8 @@ UstaScene measured(Scene scene, const Profile& chip, const UstaRun& run, Device 
     }
     Lab lab(std::move(scene));
     lab.drawOn(device);
-    for (int frame = 0; frame < run.frames; ++frame) {
+    for (int frame = 0; frame < run.frames; ++frame, ++at.done) {
+        bar.show(at);
         const auto times = lab.frameTimes(ways, run.width, run.height, frame, run.repeats, true);
         for (std::size_t i = 0; i < ways.size(); ++i) {
             UstaLine& line = out.lines[i];
@@ -76,6 +80,8 @@ int reproduceUsta2019(const ReproduceOptions& options) {
                 .frames = options.frames.value_or(12),
                 .repeats = options.repeats.value_or(10),
                 .device = measuredOn(options.device)};
+    TerminalProgress bar("frames");
+    Progress at{.all = scenes.size() * std::size_t(run.frames)};
     for (std::size_t i = 0; i < scenes.size(); ++i) {
         Scene& scene = scenes[i];
         if (scene.lights.empty()) throw UsageError(fmt::format("{}: no light", scene.id));
@@ -83,10 +89,11 @@ int reproduceUsta2019(const ReproduceOptions& options) {
         scene.frames = cameraPath(scene, run.frames);
         if (!options.subdivide.empty())
             for (Object& object : scene.objects) object.mesh = subdivided(object.mesh, options.subdivide[i]);
-        run.scenes.push_back(measured(std::move(scene), ideal, run, options.device));
+        run.scenes.push_back(measured(std::move(scene), ideal, run, options.device, bar, at));
     }
-    fmt::print("{}", showUsta(run, options.format));
-    if (!options.plot.empty()) savePlots(ustaPlots(run), options.plot);
+    bar.clear();
+    fmt::print("{}", showUsta(run, options.page));
+    if (!options.plot.empty()) writeChosen([&] { savePlots(ustaPlots(run), options.plot); });
     return 0;
 }
 

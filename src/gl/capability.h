@@ -1,9 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
-#include "gl/surface.h"
+#include "gl/buffer_format.h"
 #include "gl/table.h"
 #include "profile/profile.h"
 
@@ -34,5 +35,23 @@ struct CapabilityViolation : std::runtime_error {
 /// @pre @p profile outlives the entry points
 GlTable restrictTo(const Profile& profile, const BufferFormat& buffers, GlTable next);
 GlTable restrictTo(const Profile&& profile, const BufferFormat& buffers, GlTable next) = delete;
+
+/// The same for frame after frame, of one chip or of several in turn: the entry points are put up once.
+class CapabilityLayer {
+  public:
+    CapabilityLayer(const BufferFormat& buffers, GlTable next);
+
+    /// The entry points, held to @p profile; as if the caller had set no state yet.
+    /// @pre @p profile outlives all calls until the next holdTo()
+    const GlTable& holdTo(const Profile& profile);
+    const GlTable& holdTo(const Profile&& profile) = delete;
+
+    struct Layer;
+
+  private:
+    BufferFormat m_buffers;
+    std::shared_ptr<Layer> m_layer;
+    GlTable m_gl;
+};
 
 }  // namespace gnomon

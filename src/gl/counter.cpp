@@ -21,7 +21,7 @@ bool coversViewport(GLint size, const void* positions, GLint first, GLsizei coun
 
 void Counter::reset() {
     *m_counts = {};
-    m_state->run = Kind::None;
+    *m_state = {};
 }
 
 GlTable Counter::count(GlTable next) {

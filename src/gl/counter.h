@@ -26,6 +26,7 @@ class Counter {
     GlTable count(GlTable next);
 
     const CallCounts& counts() const { return *m_counts; }
+    /// Begins anew: nothing counted, as if the caller had set no state yet.
     void reset();
 
   private:

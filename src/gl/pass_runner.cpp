@@ -5,6 +5,8 @@
 #include <array>
 #include <cassert>
 
+#include "gl/darkened.h"
+
 namespace gnomon {
 namespace {
 
@@ -43,15 +45,16 @@ void fillWith(const GlTable& gl, const CopiedTexture& texture) {
     gl.Disable(GL_TEXTURE_2D);
 }
 
-PassRunner::PassRunner(const GlTable& table, Surface& surface, const std::string& chip, const Plan& plan,
+PassRunner::PassRunner(const GlTable& table, Surface& surface, const Profile& profile, const Plan& plan,
                        const FrameSurfaces& surfaces, const LightFrames& lights, VertexSource source)
     : gl(table),
       m_kept(surface.objects()),
-      m_chip(chip),
+      m_chip(profile.id),
+      m_free(freeChannels(plan, profile, surface.format())),
       m_plan(plan),
       m_surfaces(surfaces),
       m_lights(lights),
-      m_programs(gl, surface.programs(), chip + "/"),
+      m_programs(gl, surface.programs(), m_chip + "/"),
       m_state(gl),
       m_arrays(gl, m_kept, source) {}
 
@@ -93,8 +96,12 @@ void PassRunner::run(const Pass& pass) {
     if (toMap) gl.BindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+/// Free channels are cleared with what lies in the same words.
 void PassRunner::clear(const Pass& pass) {
-    m_state.colourMask(pass.write);
+    ColourWrite write = pass.write;
+    if (m_free.alpha && write == kWriteColour) write.alpha = true;
+    const bool withStencil = m_free.stencil && pass.clearsDepth && pass.target != Target::DepthMap;
+    m_state.colourMask(write);
     GLbitfield bits = 0;
     if (pass.write.any()) {
         glm::vec4 colour = pass.colour;
@@ -112,6 +119,7 @@ void PassRunner::clear(const Pass& pass) {
         gl.ClearStencil(pass.stencilIsBlockers ? m_blockers : pass.stencilValue);
         bits |= GL_STENCIL_BUFFER_BIT;
     }
+    if (withStencil) bits |= GL_STENCIL_BUFFER_BIT;
     gl.Clear(bits);
 }
 
@@ -233,6 +241,7 @@ void PassRunner::eachInItsWindow(const Pass& pass, const FrameVolumes& volumes) 
 
 void PassRunner::rectangle(const Pass& pass) {
     m_state.set(pass, reference(pass.stencil));
+    if (m_darkened && multipliesByMask(pass)) m_state.bound(m_darkened);
     gl.Disable(GL_CULL_FACE);
     gl.Color4f(pass.colour.r, pass.colour.g, pass.colour.b, pass.colour.a);
     if (pass.texture != MaskTexture::None) return fillWith(gl, pass.frameTexture ? m_frame : m_mask);
@@ -252,6 +261,10 @@ void PassRunner::copy(const Pass& pass) {
     const int textureWidth = ofFrame ? m_plan.frameTextureWidth : m_plan.textureWidth,
               textureHeight = ofFrame ? m_plan.frameTextureHeight : m_plan.textureHeight;
     const bool fits = width == textureWidth && height == textureHeight;
+    if (!ofFrame) {
+        m_darkened.reset();
+        if (m_leavesOutLit && !pass.nearest) m_darkened = darkenedPart(gl, m_plan, pass.texture);
+    }
     const auto [name, isNew] =
         m_kept.texture(gl, fmt::format("{}/{} {:#x} {}x{}{}", m_chip, ofFrame ? "frame" : "mask", format,
                                        textureWidth, textureHeight, fits ? "" : ", in part"));

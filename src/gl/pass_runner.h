@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "gl/free_channels.h"
 #include "gl/light_frame.h"
 #include "gl/pass_state.h"
 #include "gl/programs.h"
@@ -24,15 +26,21 @@ void fillWith(const GlTable& gl, const CopiedTexture& texture);
 /// buffers are the surface's, which keeps them for the next frame.
 class PassRunner {
   public:
-    /// @param table  leads to the surface's driver
-    /// @param chip   of the names of what is kept: what one chip may make another may not
+    /// @param table    leads to the surface's driver
+    /// @param profile  of the chip: its id is in the names of what is kept, as what one chip may make another
+    ///                 may not; and what it has is cleared together
     /// @pre the driver's state is resetState()'s
-    PassRunner(const GlTable& table, Surface& surface, const std::string& chip, const Plan& plan,
+    PassRunner(const GlTable& table, Surface& surface, const Profile& profile, const Plan& plan,
                const FrameSurfaces& surfaces, const LightFrames& lights, VertexSource source);
     PassRunner(const PassRunner&) = delete;
     PassRunner& operator=(const PassRunner&) = delete;
 
     void run(const Pass& pass);
+
+    /// From now on a rectangle that multiplies the scene by the mask's texture is drawn only where that is
+    /// not one (darkened.h). What is left out changes nothing, to the bit.
+    /// @pre a value times one is the value, in the surface's arithmetic
+    void leaveOutLit() { m_leavesOutLit = true; }
 
     /// What a stencil value is compared with.
     int reference(const Stencil& stencil) const {
@@ -69,6 +77,7 @@ class PassRunner {
     const GlTable& gl;
     KeptObjects& m_kept;
     const std::string m_chip;
+    const FreeChannels m_free;
     const Plan& m_plan;
     const FrameSurfaces& m_surfaces;
     const LightFrames& m_lights;
@@ -77,6 +86,8 @@ class PassRunner {
     VertexArrays m_arrays;
     int m_blockers = 0;  ///< what hides the eye, as the light counted last
     CopiedTexture m_mask{}, m_frame{};
+    bool m_leavesOutLit = false;
+    std::optional<WindowRect> m_darkened{};  ///< by the mask as it was copied last; nothing: all
 };
 
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "gl/capability.h"
+#include "gl/frame_calls.h"
 #include "gl/mask_reader.h"
 #include "gl/pass_runner.h"
 #include "gl/stopwatch.h"
@@ -90,11 +90,14 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     }
 
     FrameObjects objects(surface);
-    Counter counter;
-    const GlTable gl = counter.count(restrictTo(profile, surface.format(), driver));
+    FrameCalls& calls = surface.frameCalls();
+    const GlTable& gl = calls.begin(profile);
+    const bool isSoftware = surface.isSoftware();
     PassRunner runner(
-        gl, surface, profile.id, plan, surfaces, lights,
-        options.vertices.value_or(surface.isSoftware() ? VertexSource::HostMemory : VertexSource::Buffers));
+        gl, surface, profile, plan, surfaces, lights,
+        options.vertices.value_or(isSoftware ? VertexSource::HostMemory : VertexSource::Buffers));
+    // Samples are counted of whole passes. A GPU would wait for what is read back.
+    if (isSoftware && calls.fidelity() == Fidelity::Gl && !options.countsSamples) runner.leaveOutLit();
     Rendered out;
     std::size_t lightCount = 1;
     for (const MaskTap& mask : plan.masks) lightCount = std::max(lightCount, std::size_t(mask.light) + 1);
@@ -135,7 +138,7 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     }
     objects.finish();
     out.image = readColour(surface);
-    out.counts = counter.counts();
+    out.counts = calls.counts();
     if (plan.masks.empty()) {
         out.masks[0].resize(std::size_t(plan.width) * plan.height);
         out.values[0].resize(out.masks[0].size());

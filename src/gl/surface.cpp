@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdlib>
+#include <optional>
 #include <stdexcept>
 
 #include "gl/device_context.h"
 #include "gl/emulation.h"
+#include "gl/frame_calls.h"
 #include "gl/load_table.h"
 #include "gl/window_object.h"
 
@@ -63,10 +65,12 @@ struct Surface::Impl {
     BufferFormat format{};
     int width = 0, height = 0;
     Device device{};
+    Fidelity fidelity = Fidelity::Gl;
     std::unique_ptr<DeviceContext> context{};
     GlTable driver{};
     std::map<std::string, unsigned> programs{};
     KeptObjects objects{};
+    std::optional<FrameCalls> frameCalls{};  ///< none before the first frame
 
     void makeCurrent() {
         leaveTo(device);
@@ -99,6 +103,7 @@ Surface::Surface(const BufferFormat& format, int width, int height, const ChipAr
     m.width = width;
     m.height = height;
     m.device = device;
+    m.fidelity = chip.fidelity;
     // An emulated frame lives in buffers of its own; the context's are not drawn to.
     const bool emulated = needsEmulation(format, chip);
     const BufferFormat own = emulated ? BufferFormat{.depth = 0, .stencil = 0} : format;
@@ -123,6 +128,7 @@ const GlTable& Surface::driver() const {
 }
 void Surface::decorate(const std::function<GlTable(GlTable)>& decorator) {
     m_impl->driver = decorator(std::move(m_impl->driver));
+    m_impl->frameCalls.reset();
 }
 const BufferFormat& Surface::format() const {
     return m_impl->format;
@@ -154,6 +160,10 @@ std::map<std::string, unsigned>& Surface::programs() {
 }
 KeptObjects& Surface::objects() {
     return m_impl->objects;
+}
+FrameCalls& Surface::frameCalls() {
+    if (!m_impl->frameCalls) m_impl->frameCalls.emplace(m_impl->format, m_impl->driver, m_impl->fidelity);
+    return *m_impl->frameCalls;
 }
 
 void Surface::makeCurrent() {

@@ -15,6 +15,8 @@
 
 namespace gnomon {
 
+class FrameCalls;
+
 /// An off-screen OpenGL context with its buffers, current on the thread that made it. Owns both; not
 /// copyable.
 class Surface {
@@ -49,6 +51,8 @@ class Surface {
     std::map<std::string, unsigned>& programs();
     /// Its other objects that stay from frame to frame.
     KeptObjects& objects();
+    /// What its frames are drawn through. Another after decorate().
+    FrameCalls& frameCalls();
 
     /// Makes the context current; needed when several surfaces live.
     void makeCurrent();

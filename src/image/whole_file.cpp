@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -17,9 +19,19 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
     return file.parent_path() / name;
 }
 
+/// Where a link leads; else @p file itself.
+std::filesystem::path placeOf(const std::filesystem::path& file) {
+    constexpr int kMostLinks = 40;  // as many as Linux follows
+    std::error_code error;
+    std::filesystem::path place = file;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(place, error); ++i)
+        place = place.parent_path() / std::filesystem::read_symlink(place, error);
+    return place;
+}
+
 [[noreturn]] void fail(const std::filesystem::path& file, std::string what) {
     // The user knows the file by its own name only.
-    const std::string temporary = temporaryBeside(file).string();
+    const std::string temporary = temporaryBeside(placeOf(file)).string();
     for (std::size_t at; (at = what.find(temporary)) != std::string::npos;)
         what.replace(at, temporary.size(), file.string());
     while (!what.empty() && (what.back() == '\n' || what.back() == ' ')) what.pop_back();
@@ -32,19 +44,33 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& file) {
 
 void writeWhole(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path&)>& write) {
-    const std::filesystem::path temporary = temporaryBeside(file);
+    const std::filesystem::path place = placeOf(file), temporary = temporaryBeside(place);
     std::error_code error;
+    if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
+        fail(file, "is no regular file");
     try {
         write(temporary);
     } catch (const std::exception& thrown) {
         std::filesystem::remove(temporary, error);
         fail(file, thrown.what());
     }
-    std::filesystem::rename(temporary, file, error);
+    std::filesystem::rename(temporary, place, error);
     if (!error) return;
     const std::string why = error.message();
     std::filesystem::remove(temporary, error);
     fail(file, why);
+}
+
+void tryWhole(const std::filesystem::path& file) {
+    const std::filesystem::path place = placeOf(file), temporary = temporaryBeside(place);
+    std::error_code error;
+    if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
+        fail(file, "is no regular file");
+    errno = 0;
+    const bool isOpen = std::ofstream(temporary).is_open();
+    const int why = errno;
+    std::filesystem::remove(temporary, error);
+    if (!isOpen) fail(file, std::error_code(why, std::generic_category()).message());
 }
 
 }  // namespace gnomon

@@ -7,6 +7,7 @@
 #include "cost/touched.h"
 #include "matrix/cell.h"
 #include "matrix/lab.h"
+#include "matrix/progress.h"
 #include "needs/minimal_plan.h"
 
 namespace gnomon {
@@ -54,6 +55,8 @@ struct Advice {
 Advice ranked(Advice advice);
 
 /// Draws and judges the minimal plan of every named method.
-Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame);
+/// @param progress  in methods
+Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame,
+              const ProgressListener& progress = {});
 
 }  // namespace gnomon

@@ -4,13 +4,17 @@
 
 namespace gnomon {
 
-Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame) {
+Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame,
+              const ProgressListener& progress) {
     Advice advice{
         .profile = profile.id, .scene = lab.scene().id, .width = width, .height = height, .frame = frame};
     advice.rates = modelRates(profile);
     const auto before = lab.simulated();
     lab.simulate(Effects::none());
-    for (Option& option : options(lab, profile, Shade::Attenuated, width, height, frame)) {
+    auto all = options(lab, profile, Shade::Attenuated, width, height, frame);
+    Progress at{.all = all.size()};
+    if (progress) progress(at);
+    for (Option& option : all) {
         AdviceRow row{.method = option.method,
                       .minimal = std::move(option.plan),
                       .amount = option.amount,
@@ -25,7 +29,10 @@ Advice advise(Lab& lab, const Profile& profile, int width, int height, int frame
                 row.proof = "exact arithmetic has every untied pixel as ray tracing has it";
         }
         advice.fidelity = row.cell.fidelity, advice.device = row.cell.device;
+        at.failures += row.cell.verdict == Verdict::Failed;
+        ++at.done;
         advice.rows.push_back(std::move(row));
+        if (progress) progress(at);
     }
     lab.simulate(before);
     return ranked(std::move(advice));

@@ -37,7 +37,12 @@ struct Cell {
     int width = 0, height = 0, frame = 0;
     int lights = 1;
     std::string fidelity = "gl";
-    std::string device = "osmesa";     ///< gl/device.h
+    bool dithers = false;           ///< FidelityChoice::dithers
+    std::string blendUnit{};        ///< FidelityChoice::unit, by name; "" where none was chosen
+    std::string device = "osmesa";  ///< gl/device.h
+    /// Where the user placed light and camera: flags of the command line without their hyphens, and their
+    /// values; empty where the scene's own stand.
+    std::map<std::string, std::string> view{};
     Effects effects = Effects::all();  ///< simulated besides what the frame calls for
     std::string drawnBy{};             ///< the named method that an automatic one has chosen; else empty
     Proof proof = Proof::Predicted;    ///< of that choice
@@ -63,6 +68,10 @@ struct Cell {
     std::vector<std::string> warnings{};  ///< where the bounds pass the method's capacity on this chip
 
     std::string id() const;  ///< "voodoo2/roettger-screen/roettger/512x512/0"
+
+    /// The id with what else is asked for and stands in no id: shade, arithmetic, effects, view. Two cells of
+    /// one run differ in it; the same question put to two runs has the same.
+    std::string question() const;
 };
 
 const std::string& name(Verdict);

@@ -75,7 +75,10 @@ nlohmann::ordered_json toJson(const Cell& c) {
         {"unshadowed_ms", rounded(c.unshadowedMs)},
         {"digest", c.digest},
     };
-    // Options are there where they differ from what the method's row has.
+    // Options are there where they differ from what the method's row, the chip or the scene has.
+    if (c.dithers) json["dither"] = "on";
+    if (!c.blendUnit.empty()) json["blend_unit"] = c.blendUnit;
+    if (!c.view.empty()) json["view"] = c.view;
     const Axes& a = c.axes;
     if (a.start != Start::Zero) json["start"] = name(a.start);
     if (a.overflow != Overflow::Either) json["overflow"] = name(a.overflow);
@@ -116,6 +119,9 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     c.width = j.at("width"), c.height = j.at("height"), c.frame = j.at("frame");
     c.fidelity = j.at("fidelity"), c.device = j.at("device"), c.clock = j.at("clock");
     c.effects = effectsFrom(j.at("effects")).value_or(Effects::all());
+    c.dithers = j.value("dither", "off") == "on";
+    c.blendUnit = j.value("blend_unit", "");
+    if (j.contains("view")) c.view = j.at("view");
     c.drawnBy = j.value("drawn_by", "");
     c.proof = wordOf<Proof>(j.value("proof", name(Proof::Predicted)), kProofs);
     c.verdict = wordOf<Verdict>(j.at("verdict"), 5);

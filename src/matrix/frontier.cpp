@@ -77,7 +77,8 @@ class Study {
                     .width = request.width,
                     .height = request.height,
                     .repeats = request.repeats,
-                    .frames = request.frames};
+                    .frames = request.frames,
+                    .hasModelRates = hasModelRates(request.profile)};
         for (const CostSetting& setting : request.settings) m_result.rows.push_back({.setting = setting});
     }
 
@@ -114,22 +115,24 @@ class Study {
         bool isCompared = true;
         for (CostRow& row : m_result.rows) {
             TimedWay way = row.setting.way;
-            if (row.isDrawn()) {
-                const Shade shade = way.axes.shade;
-                if (!references.contains(shade))
-                    references[shade] = referenceOf(m_lab, m_request, shade, frame);
-                const auto& reference = references[shade];
-                isCompared = isCompared && reference;
-                judgeRow(row, way, frame, reference);
-            }
+            const Shade shade = way.axes.shade;
+            if (row.isDrawn())
+                judgeRow(row, way, frame, [&]() -> const std::optional<Reference>& {
+                    if (!references.contains(shade))
+                        references[shade] = referenceOf(m_lab, m_request, shade, frame);
+                    return references[shade];
+                });
+            isCompared = isCompared && (!references.contains(shade) || references[shade]);
             m_ways.push_back(way);
             step();
         }
         m_result.framesCompared += isCompared;
     }
 
-    /// @param way  gets the axes that are drawn
-    void judgeRow(CostRow& row, TimedWay& way, int frame, const std::optional<Reference>& reference) {
+    /// @param way           gets the axes that are drawn
+    /// @param referenceFor  is asked for only if something is
+    void judgeRow(CostRow& row, TimedWay& way, int frame,
+                  const std::function<const std::optional<Reference>&()>& referenceFor) {
         m_lab.use(way.fidelity);
         m_lab.simulate(way.effects);
         Pictures pictures;
@@ -147,7 +150,7 @@ class Study {
         error.tied += cell.tiedTruth + cell.tiedCount;
         for (std::size_t i = 0; i < pictures.truths.size(); ++i)
             addDistances(error, pictures.judgements[i], *pictures.truths[i]);
-        if (reference) {
+        if (const auto& reference = referenceFor()) {
             std::vector<bool> leftOut = tiedPixels(pictures.judgement);
             for (std::size_t i = 0; i < leftOut.size(); ++i) leftOut[i] = leftOut[i] || reference->tied[i];
             error.squares.push_back(meanSquaredDifference(pictures.image, reference->image, leftOut));
@@ -156,6 +159,10 @@ class Study {
         row.passes.rectangle += cell.passes.rectangle, row.passes.copy += cell.passes.copy;
         row.amount.pixels += cell.touched;
         row.amount.vertices += cell.vertices;
+        m_lab.use(way.fidelity);  // the reference was drawn with OpenGL's
+        m_lab.simulate(way.effects);
+        row.model.add(m_lab.drawnCost(way.profile, way.axes, m_request.width, m_request.height, frame));
+        m_result.device = cell.device, m_result.clock = cell.clock;
     }
 
     void time(int frame) {
@@ -185,8 +192,10 @@ class Study {
                 for (const std::size_t row : members) bare.push_back(best(3 * row + 1));
                 const double unshadowed = spreadOf(bare).median;
                 m_unshadowedMs.push_back(unshadowed);
-                for (const std::size_t row : members)
-                    rows[row]->ratios.push_back(best(3 * row + 2) / unshadowed);
+                for (const std::size_t row : members) {
+                    rows[row]->times.push_back(best(3 * row + 2));
+                    rows[row]->ratios.push_back(rows[row]->times.back() / unshadowed);
+                }
             }
         }
         step();
@@ -197,7 +206,7 @@ class Study {
     void finish() {
         m_result.unshadowedMs = spreadOf(m_unshadowedMs).median;
         std::vector<CostRow>& rows = m_result.rows;
-        for (CostRow& row : rows) row.ratio = spreadOf(row.ratios);
+        for (CostRow& row : rows) row.ratio = spreadOf(row.ratios), row.ms = spreadOf(row.times);
         markFrontiers();
         const auto rank = [](const CostRow& row) {
             const double last = std::numeric_limits<double>::infinity();
@@ -210,20 +219,36 @@ class Study {
 
     void markFrontiers() {
         std::vector<CostRow*> drawn;
-        std::vector<Bargain> byTime, byTouched;
+        std::vector<Bargain> byTime, byTouched, byModel;
         for (CostRow& row : m_result.rows) {
             if (!row.isDrawn()) continue;
             drawn.push_back(&row);
             byTime.push_back({double(row.error.wrong()), row.ratio.median});
             byTouched.push_back({double(row.error.wrong()), double(row.amount.pixels.total())});
+            byModel.push_back({double(row.error.wrong()), row.model.ms});
         }
-        const std::vector<bool> time = onFrontier(byTime), touched = onFrontier(byTouched);
-        for (std::size_t i = 0; i < drawn.size(); ++i)
+        const std::vector<bool> time = onFrontier(byTime), touched = onFrontier(byTouched),
+                                model = onFrontier(byModel);
+        for (std::size_t i = 0; i < drawn.size(); ++i) {
             drawn[i]->onTimeFrontier = time[i], drawn[i]->onTouchedFrontier = touched[i];
+            drawn[i]->onModelFrontier = m_result.hasModelRates && model[i];
+        }
     }
 };
 
 }  // namespace
+
+void ModelSum::add(const FrameCost& frame) {
+    for (const PassCost& pass : frame.passes) {
+        bytes += pass.traffic.bytes(), busBytes += pass.traffic.busBytes;
+        fillMs += pass.fillMs, bandwidthMs += pass.bandwidthMs;
+        triangleMs += pass.triangleMs, busMs += pass.busMs;
+    }
+    ms += frame.ms();
+    if (frame.ms() > longestMs) longestMs = frame.ms(), limit = frame.limit();
+    for (const std::string& what : frame.missing)
+        if (std::find(missing.begin(), missing.end(), what) == missing.end()) missing.push_back(what);
+}
 
 std::optional<double> ErrorSum::rms() const {
     if (squares.empty()) return std::nullopt;
@@ -233,6 +258,11 @@ std::optional<double> ErrorSum::rms() const {
 std::optional<double> ErrorSum::psnr() const {
     const auto root = rms();
     return root ? std::optional(psnrOf(*root * *root)) : std::nullopt;
+}
+
+int defaultRepeats(std::size_t frames) {
+    const int all = CostRequest{}.repeats;
+    return std::max(1, (all + int(frames) - 1) / std::max(1, int(frames)));
 }
 
 std::vector<bool> onFrontier(std::span<const Bargain> all) {

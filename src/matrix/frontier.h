@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "cost/model.h"
 #include "cost/spread.h"
 #include "cost/touched.h"
 #include "matrix/cost_setting.h"
@@ -31,6 +32,18 @@ struct ErrorSum {
     std::optional<double> psnr() const;  ///< dB, infinite of 0
 };
 
+/// What one setting takes on the chip in all frames of a study, by the model (cost/model.h).
+struct ModelSum {
+    std::int64_t bytes = 0, busBytes = 0;  ///< in the frame buffer's memory; to the host and back
+    double fillMs = 0, bandwidthMs = 0, triangleMs = 0, busMs = 0;
+    double ms = 0;                       ///< of what the profile has the rate for
+    std::optional<Resource> limit{};     ///< of the frame that takes longest
+    double longestMs = 0;                ///< that frame
+    std::vector<std::string> missing{};  ///< FrameCost::missing
+
+    void add(const FrameCost& frame);
+};
+
 /// One setting of a study.
 struct CostRow {
     CostSetting setting{};
@@ -40,11 +53,15 @@ struct CostRow {
     ErrorSum error{};
     PassCounts passes{};  ///< in all frames, and so are the next two
     DrawnAmount amount{};
+    ModelSum model{};
     /// By frame and round: its time to that of the unshadowed frame. See CostRequest::repeats.
     std::vector<double> ratios{};
-    Spread ratio{};                  ///< of them
-    bool onTimeFrontier = false;     ///< no other is as exact in less time, or more exact in as much
+    Spread ratio{};               ///< of them
+    std::vector<double> times{};  ///< by frame and round: the frame itself, milliseconds of CostStudy::clock
+    Spread ms{};                  ///< of them
+    bool onTimeFrontier = false;  ///< no other is as exact in less time, or more exact in as much
     bool onTouchedFrontier = false;  ///< the same of touched pixels
+    bool onModelFrontier = false;    ///< the same of the model's time; of none where the profile lacks rates
 
     bool isDrawn() const { return missing.empty() && failure.empty(); }
 };
@@ -65,11 +82,17 @@ struct CostRequest {
     int repeats = 9;
 };
 
+/// Rounds for each of @p frames frames: as many in all as one frame has, and one at least.
+int defaultRepeats(std::size_t frames);
+
 struct CostStudy {
     std::string profile{}, scene{};
     int width = 0, height = 0, repeats = 0;
     std::vector<int> frames{};
-    double unshadowedMs = 0;      ///< median, of this processor: the frame that ratios are to
+    double unshadowedMs = 0;        ///< median, by the clock: the frame that ratios are to
+    std::string device = "osmesa";  ///< gl/device.h
+    std::string clock = "thread";   ///< whose time that is: DrawClock
+    bool hasModelRates = false;     ///< of the profile
     int framesCompared = 0;       ///< in which a reference method was exact, so that images could be compared
     std::vector<CostRow> rows{};  ///< exact ones first, fewest wrong pixels first; the same: quickest first
 };

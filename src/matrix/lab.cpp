@@ -9,10 +9,10 @@
 #include "gl/capability.h"
 #include "gl/stopwatch.h"
 #include "matrix/choice.h"
-#include "matrix/depth_ties.h"
-#include "matrix/frame_predictor.h"
-#include "matrix/kept.h"
-#include "matrix/needs_finder.h"
+#include "matrix/digest.h"
+#include "matrix/drawing.h"
+#include "matrix/frame_scene.h"
+#include "matrix/minimal_planner.h"
 #include "matrix/result_key.h"
 #include "method/capacity.h"
 #include "method/shader_volumes.h"
@@ -22,29 +22,6 @@
 
 namespace gnomon {
 namespace {
-
-struct FrameKey {
-    int width = 0, height = 0, frame = 0;
-    auto operator<=>(const FrameKey&) const = default;
-};
-
-/// FNV-1a, 64 bits.
-class Digest {
-  public:
-    void add(std::uint8_t byte) { m_hash = (m_hash ^ byte) * 1099511628211ull; }
-    std::string text() const { return fmt::format("{:016x}", m_hash); }
-
-  private:
-    std::uint64_t m_hash = 14695981039346656037ull;
-};
-
-std::string digestOf(const Rendered& rendered) {
-    Digest digest;
-    for (const std::vector<bool>& mask : rendered.masks)
-        for (const bool shadow : mask) digest.add(shadow);
-    for (const std::uint8_t byte : rendered.image.data) digest.add(byte);
-    return digest.text();
-}
 
 Image truthPicture(const Truth& truth) {
     return shadowPicture(truth, truth.blocked);
@@ -63,149 +40,27 @@ Image averageOf(const std::vector<Image>& pictures) {
 
 }  // namespace
 
-/// How a cell is drawn.
-struct Drawing {
-    Axes axes{};  ///< by which its passes are made
-    Plan plan{};
-    bool isFull = true;                                 ///< all volumes in the window are drawn
-    std::vector<std::vector<std::uint32_t>> volumes{};  ///< else these, by light
-    std::vector<EffectNote> notes{};
-};
+struct Lab::Impl : FrameScene {
+    explicit Impl(Scene s) : FrameScene(std::move(s)) {}
 
-struct Lab::Impl {
-    explicit Impl(Scene s) : scene(std::move(s)) {}
-
-    Scene scene;
     FidelityChoice fidelity{};
     Device device = defaultDevice();
     std::optional<Effects> effects{};
-    std::optional<NeedsFinder> needsFinder{};
-    std::optional<SilhouetteFinder> finder{};
-    std::map<std::tuple<int, Silhouette, CapFaces>, std::vector<LitCaster>> lit{};  ///< by light, ...
-    std::map<std::tuple<int, Silhouette>, std::shared_ptr<Tracer>>
-        tracers{};  ///< count ties are about the sides that are drawn
+    MinimalPlanner planner{*this};
     std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
 
     // Of the frame that was asked for last.
-    FrameKey key{};
-    std::optional<FrameSurfaces> surfaces{};
-    std::map<std::pair<int, VolumeKey>, std::shared_ptr<const FrameVolumes>> volumes{};
-    std::map<int, std::shared_ptr<const LightColours>> colours{};
-    std::map<std::tuple<int, int, DepthEncoding, Silhouette>, std::shared_ptr<const Truth>>
-        truths{};  ///< by light, depth format
-    std::map<std::pair<int, VolumeKey>, LightShape> shapes{};
     std::map<std::string, Cell> results{};
     std::map<std::string, std::vector<std::int64_t>> passed{};  ///< fragments by pass; keyed as results are
     std::map<std::pair<BufferFormat, ChipArithmetic>, double> unshadowed{};
-    std::map<int, bool> eyeInside{};
-    std::map<std::tuple<int, VolumeKey, int, int>, Nesting> nestings{};  ///< by light, volumes, size
-    LightFrame current{};
-    std::optional<FramePredictor> predictor{};
 
-    int lights() const { return int(scene.lights.size()); }
-    const Light& light(int index) const { return scene.lights[std::size_t(index)]; }
-
-    void select(const FrameKey& k) {
-        if (k == key) return;
-        if (k.width != key.width || k.height != key.height) contexts.clear();
-        key = k;
-        surfaces.reset();
-        volumes.clear();
-        colours.clear();
-        truths.clear();
-        shapes.clear();
-        results.clear();
-        passed.clear();
-        unshadowed.clear();
-        eyeInside.clear();
-        if (predictor) predictor->select(view());
-        if (needsFinder) needsFinder->select(view());
-        nestings.clear();
-    }
-
-    View view() const { return viewOf(scene.frames[std::size_t(key.frame)], key.width, key.height); }
-
-    const std::vector<LitCaster>& litOf(int index, Silhouette silhouette, CapFaces capFaces = CapFaces::Lit) {
-        return kept(lit, {index, silhouette, capFaces}, [&] {
-            if (!finder) finder.emplace(scene);
-            return finder->lit(light(index).position, silhouette, capFaces);
-        });
-    }
-
-    bool eyeInVolumes(int index) {
-        auto [at, isNew] = eyeInside.try_emplace(index);
-        if (isNew)
-            at->second = eyeInVolume(scene, litOf(index, Silhouette::Winding), light(index).position, view());
-        return at->second;
-    }
-
-    /// Away from all volumes a near cap changes nothing, and all counts before the surface share their
-    /// volumes.
-    VolumeKey volumeKey(const Profile& profile, const Axes& axes, int index) {
-        Parts parts = partsOf(axes.count);
-        const bool capped = parts.has(Part::NearCap) && !eyeInVolumes(index);
-        if (capped) parts = partsOf(Count::Zpass);
-        return {axes.silhouette, axes.capFaces, parts, cutStyleOf(axes, profile.depthClamp)};
-    }
-
-    std::shared_ptr<const FrameVolumes> volumesOf(int index, const VolumeKey& k) {
-        return kept(volumes, {index, k}, [&] {
-            return std::make_shared<const FrameVolumes>(
-                frameVolumes(scene, litOf(index, k.silhouette, k.capFaces), light(index).position, view(),
-                             k.parts, k.style));
-        });
-    }
-
-    const FrameSurfaces& surfacesOf() {
-        if (!surfaces) surfaces = frameSurfaces(scene, view());
-        return *surfaces;
-    }
-
-    std::shared_ptr<const LightColours> coloursOf(int index) {
-        return kept(colours, index, [&] {
-            return std::make_shared<const LightColours>(
-                lightColours(scene, light(index), view(), surfacesOf()));
-        });
-    }
-
-    /// The volumes of light @p index that are drawn.
-    std::shared_ptr<const FrameVolumes> drawnVolumes(const Profile& profile, const Drawing& drawing,
-                                                     int index) {
-        const auto all = volumesOf(index, volumeKey(profile, drawing.axes, index));
-        if (drawing.isFull) return all;
-        return std::make_shared<const FrameVolumes>(only(*all, drawing.volumes[std::size_t(index)]));
-    }
-
-    /// What light @p index adds to a frame.
-    const LightFrame& lightFrame(const Profile& profile, const Drawing& drawing, int index) {
-        if (lights() == 0) return current = {};
-        const Axes& axes = drawing.axes;
-        const Plan& plan = drawing.plan;
-        const auto draws = [&](auto predicate) {
-            return std::any_of(plan.passes.begin(), plan.passes.end(), predicate);
-        };
-        current = {.colours = coloursOf(index)};
-        if (draws([](const Pass& p) { return p.kind == PassKind::Volume && p.drawn == Drawn::Volumes; }))
-            current.volumes = drawnVolumes(profile, drawing, index);
-        if (draws([](const Pass& p) { return p.drawn == Drawn::Blockers; }))
-            current.blockers = eyeBlockers(scene, litOf(index, axes.silhouette, axes.capFaces),
-                                           light(index).position, view().eye);
-        if (draws([](const Pass& p) { return p.drawn == Drawn::Silhouettes; }))
-            current.silhouettes = silhouetteMesh(scene, light(index).position, view());
-        if (draws([](const Pass& p) { return p.target == Target::DepthMap; }))
-            current.depthMap = depthMapFrame(scene, light(index), surfacesOf());
-        return current;
-    }
-
-    std::shared_ptr<const Truth> truthOf(int index, int depthBits, DepthEncoding encoding,
-                                         Silhouette silhouette) {
-        return kept(truths, {index, depthBits, encoding, silhouette}, [&] {
-            const auto& tracer = kept(tracers, {index, silhouette}, [&] {
-                return std::make_shared<Tracer>(scene, light(index), silhouette);
-            });
-            return std::make_shared<const Truth>(tracer->trace(view(), tiesOf(depthBits, encoding)));
-        });
+    void select(const Key& frame) {
+        const Key last = key();
+        if (!FrameScene::select(frame)) return;
+        if (frame.width != last.width || frame.height != last.height) contexts.clear();
+        results.clear(), passed.clear(), unshadowed.clear();
+        planner.select();
     }
 
     /// Sums that wrap are emulated for plans that have them, so that all others are OpenGL's alone.
@@ -216,8 +71,8 @@ struct Lab::Impl {
                          return pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap;
                      });
         chip.everywhere = emulatesEverywhere();
-        auto& context = contexts[{format, chip, key.width, key.height}];
-        if (!context) context = std::make_unique<Surface>(format, key.width, key.height, chip, device);
+        auto& context = contexts[{format, chip, key().width, key().height}];
+        if (!context) context = std::make_unique<Surface>(format, key().width, key().height, chip, device);
         return *context;
     }
 
@@ -226,9 +81,7 @@ struct Lab::Impl {
         if (isNew) {
             const Axes none{.store = Store::None};
             const Drawing drawing{.axes = none, .plan = planOf(profile, none)};
-            const auto frames = [&](int index) -> const LightFrame& {
-                return lightFrame(profile, drawing, index);
-            };
+            const LightFrames frames = lightFrames(*this, profile, drawing);
             // Twice: the first compiles the driver's programs.
             for (int i = 0; i < 2; ++i)
                 at->second = render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan,
@@ -238,143 +91,17 @@ struct Lab::Impl {
         return at->second;
     }
 
-    LightShape shapeOf(const Profile& profile, const Axes& axes, int index) {
-        LightShape shape{.directional = light(index).position.w == 0};
-        if (axes.store == Store::None || axes.store == Store::DepthMap) return shape;
-        if (axes.start == Start::Bias)
-            shape.holdingEye = holdingEye(scene, litOf(index, axes.silhouette, axes.capFaces),
-                                          light(index).position, view().eye);
-        if (axes.count == Count::AtomicZp) {
-            shape.volumes = 1;  // in one draw
-            return shape;
-        }
-        const VolumeKey k = volumeKey(profile, axes, index);
-        auto [at, isNew] = shapes.try_emplace({index, k});
-        if (isNew) at->second.volumes = int(volumesOf(index, k)->size());
-        shape.volumes = at->second.volumes;
-        return shape;
-    }
-
-    FrameShape frameShape(const Profile& profile, const Axes& axes) {
-        FrameShape frame{.width = key.width, .height = key.height};
-        for (int i = 0; i < lights(); ++i) frame.lights.push_back(shapeOf(profile, axes, i));
-        return frame;
-    }
-
-    Plan planOf(const Profile& profile, const Axes& axes) {
-        return planFrame(axes, frameShape(profile, axes), profile);
-    }
-
-    /// What the frame calls for of what @p axes draw.
-    FrameNeeds needsOf(const Profile& profile, const Axes& axes) {
-        if (!needsFinder) {
-            needsFinder.emplace(scene);
-            needsFinder->select(view());
-        }
-        const bool hasVolumes =
-            axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto brightestOf = [](const std::vector<VertexColour>& shades) {
-            int most = 0;
-            for (const VertexColour& c : shades) most = std::max({most, int(c.r), int(c.g), int(c.b)});
-            return most;
-        };
-        FrameNeeds all;
-        for (int i = 0; i < lights(); ++i) {
-            LightNeeds one;
-            if (hasVolumes) {
-                const Nesting full = nestingOf(axes, i);
-                one = needsFinder->volumes({.light = i,
-                                            .axes = axes,
-                                            .depthBits = bufferFormatOf(profile).depth,
-                                            .depth = arithmeticOf(profile, fidelity).depth,
-                                            .lit = litOf(i, axes.silhouette, axes.capFaces),
-                                            .drawn = volumesOf(i, volumeKey(profile, axes, i))->ordinals,
-                                            .full = full});
-            }
-            one.brightest = brightestOf(coloursOf(i)->diffuse);
-            all.lights.push_back(std::move(one));
-        }
-        all.brightestAmbient = brightestOf(surfacesOf().ambient);
-        all.nearestSurface = needsFinder->nearestSurface();
-        return all;
-    }
-
     Drawing drawingOf(const Profile& profile, const Axes& axes) {
         if (!effects || *effects == Effects::all()) return {.axes = axes, .plan = planOf(profile, axes)};
-        return drawingOf(minimalOf(profile, axes));
+        return gnomon::drawingOf(minimalOf(profile, axes));
     }
 
-    static Drawing drawingOf(MinimalPlan least) {
-        return {.axes = least.axes,
-                .plan = std::move(least.plan),
-                .isFull = least.isFull,
-                .volumes = std::move(least.volumes),
-                .notes = std::move(least.notes)};
-    }
-
-    /// Calls @p use with what is predicted of a channel of the mask of light @p index, as @p drawing makes
-    /// it.
-    template <class Use>
-    auto withPlanned(const Profile& profile, const Drawing& drawing, int index, int colour, const Use& use) {
-        const BufferFormat format = bufferFormatOf(profile);
-        const ChipArithmetic chip = arithmeticOf(profile, fidelity);
-        const auto drawn = drawing.axes.count == Count::AtomicZp ? std::make_shared<const FrameVolumes>()
-                                                                 : drawnVolumes(profile, drawing, index);
-        return use(PlannedMask{.plan = drawing.plan,
-                               .axes = drawing.axes,
-                               .format = format,
-                               .chip = chip,
-                               .light = index,
-                               .ordinals = drawn->ordinals,
-                               .leavesOut = !drawing.isFull,
-                               .colour = colour});
-    }
-
-    int wrongPixels(const Profile& profile, const Drawing& drawing) {
-        int wrong = 0;
-        for (const MaskTap& tap : drawing.plan.masks)
-            wrong += withPlanned(profile, drawing, tap.light, 0, [&](const PlannedMask& mask) {
-                const auto truth =
-                    truthOf(tap.light, mask.format.depth, mask.chip.depth, drawing.axes.silhouette);
-                return predictorOf().wrongPixels(mask, *truth);
-            });
-        return wrong;
-    }
-
-    /// Whether exact arithmetic has the same masks by both.
-    bool areSame(const Profile& profile, const Drawing& a, const Drawing& b) {
-        const auto areSameIn = [&](int light, int colour) {
-            return withPlanned(profile, a, light, colour, [&](const PlannedMask& first) {
-                return withPlanned(profile, b, light, colour, [&](const PlannedMask& second) {
-                    return predictorOf().areSame(first, second);
-                });
-            });
-        };
-        const int channels = a.axes.store == Store::Screen ? 3 : 1;
-        for (const MaskTap& tap : b.plan.masks)
-            for (int colour = 0; colour < channels; ++colour)
-                if (!areSameIn(tap.light, colour)) return false;
-        return true;
-    }
-
-    std::vector<DrawnAmount> amounts(const Profile& profile, const Drawing& drawing) {
-        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
-            if (index != last) {
-                lightFrame(profile, drawing, index);
-                // What a geometry shader makes is about what the host would.
-                if (drawing.axes.count == Count::AtomicZp && !current.volumes && lights() > 0)
-                    current.volumes =
-                        volumesOf(index, {drawing.axes.silhouette, drawing.axes.capFaces,
-                                          partsOf(Count::Zpass), cutStyleOf(drawing.axes, false)});
-            }
-            last = index;
-            return current;
-        };
-        return drawnAmounts(drawing.plan, surfacesOf(), frames);
+    MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
+        return planner.plan(profile, axes, fidelity, effects.value_or(Effects::none()));
     }
 
     FrameCost costOf(const Profile& profile, const Drawing& drawing, double hostMs) {
-        const std::vector<DrawnAmount> drawn = amounts(profile, drawing);
+        const std::vector<DrawnAmount> drawn = amountsOf(*this, profile, drawing);
         std::vector<std::int64_t>& samples = passed[keyOf(profile, drawing)];
         if (samples.empty()) samples = drawOnce(profile, drawing, {.countsSamples = true}).passSamples;
         return frameCost(drawing.plan, profile, drawn, samples, hostMs);
@@ -387,78 +114,8 @@ struct Lab::Impl {
                          volumeKeys(profile, drawing.axes), drawing.volumes);
     }
 
-    FramePredictor& predictorOf() {
-        if (!predictor) {
-            predictor.emplace(scene);
-            predictor->select(view());
-        }
-        return *predictor;
-    }
-
-    MinimalPlan minimalOf(const Profile& profile, const Axes& axes) {
-        const Effects wanted = effects.value_or(Effects::none());
-        MinimalPlan least = leastPlanOf(profile, axes, wanted);
-        if (axes.count == Count::Zfail && least.axes.count == Count::ZpassCap) {
-            // Caps at the near plane fill the window where it lies in a volume.
-            Effects zfail = wanted;
-            zfail.add(Effect::NearCaps);
-            MinimalPlan other = leastPlanOf(profile, axes, zfail);
-            if (touched(profile, other) < touched(profile, least)) {
-                least = std::move(other);
-                for (EffectNote& note : least.notes) {
-                    if (note.effect != Effect::NearCaps) continue;
-                    note.isAsked = false;
-                    note.fact += "; z-fail touches fewer pixels there than z-pass with near caps";
-                }
-            }
-        }
-        if (fidelity.fidelity != Fidelity::Chip) return least;
-        const auto depends = [&, format = bufferFormatOf(profile), chip = arithmeticOf(profile, fidelity)](
-                                 const Pass& pass) { return dependsOnChip(format, chip, pass); };
-        const auto& passes = least.plan.passes;
-        const auto count = std::size_t(std::count_if(passes.begin(), passes.end(), depends));
-        const bool isAsked = emulatesEverywhere() && count < passes.size();
-        least.notes.push_back(
-            {.effect = Effect::Emulation,
-             .isDrawn = isAsked || count == passes.size(),
-             .isAsked = isAsked,
-             .fact = fmt::format("{} of {} passes can depend on the chip's rounding, dither or depth format",
-                                 count, passes.size())});
-        return least;
-    }
-
-    std::int64_t touched(const Profile& profile, const MinimalPlan& plan) {
-        return sumOf(amounts(profile, drawingOf(plan))).pixels.total();
-    }
-
     bool emulatesEverywhere() const {
         return fidelity.fidelity == Fidelity::Chip && effects && effects->has(Effect::Emulation);
-    }
-
-    /// Where a mask may lose entries or exits, or keep a residue of them, exact arithmetic decides whether
-    /// what is left out changes anything.
-    MinimalPlan leastPlanOf(const Profile& profile, const Axes& axes, const Effects& wanted) {
-        const FrameShape frame = frameShape(profile, axes);
-        const MaskChannel channel =
-            maskChannel(bufferFormatOf(profile), arithmeticOf(profile, fidelity), axes);
-        const auto planned = [&](const FrameNeeds& needs) {
-            return gnomon::minimalPlan(axes, frame, profile, needs, channel, wanted);
-        };
-        FrameNeeds needs = needsOf(profile, axes);
-        if (!mayLoseCounts(axes, frame, profile, needs, channel)) return planned(needs);
-        for (LightNeeds& light : needs.lights) light.losesNothing = true;
-        MinimalPlan least = planned(needs);
-        if (areSame(profile, {.axes = axes, .plan = planFrame(axes, frame, profile)}, drawingOf(least)))
-            return least;
-        for (LightNeeds& light : needs.lights) light.losesNothing = false;
-        return planned(needs);
-    }
-
-    std::vector<VolumeKey> volumeKeys(const Profile& profile, const Axes& axes) {
-        std::vector<VolumeKey> keys;
-        const bool hasVolumes = axes.store != Store::None && axes.store != Store::DepthMap;
-        for (int i = 0; hasVolumes && i < lights(); ++i) keys.push_back(volumeKey(profile, axes, i));
-        return keys;
     }
 
     /// What the chip lacks, and what the silhouette's builder can't take.
@@ -475,30 +132,12 @@ struct Lab::Impl {
         }
         if (axes.store == Store::None || axes.store == Store::DepthMap) return all;
         auto [at, isNew] = refusals.try_emplace({axes.silhouette, axes.capFaces});
-        if (isNew) at->second = refusal(scene, axes.silhouette, axes.capFaces);
+        if (isNew) at->second = refusal(scene(), axes.silhouette, axes.capFaces);
         if (at->second)
             all.push_back({"silhouette", *at->second,
                            axes.capFaces == CapFaces::Away ? "Aldridge and Woods, section 2"
                                                            : "Crow 1977; Bergeron 1986"});
         return all;
-    }
-
-    /// How deep the volumes of light @p index may nest in the mask.
-    Nesting nestingOf(const Axes& axes, int index) {
-        View mask = view();
-        mask.width = (mask.width + axes.maskDivisor - 1) / axes.maskDivisor;
-        mask.height = (mask.height + axes.maskDivisor - 1) / axes.maskDivisor;
-        const CountedFrom from = countedFrom(axes);
-        // All that are counted from one end are counted alike.
-        const VolumeKey which{axes.silhouette,
-                              axes.capFaces,
-                              partsOf(from == CountedFrom::Eye ? Count::ZpassCap : Count::Zfail),
-                              {.offset = axes.offset}};
-        auto [at, isNew] = nestings.try_emplace({index, which, mask.width, mask.height});
-        if (isNew)
-            at->second = gnomon::nesting(scene, litOf(index, axes.silhouette, axes.capFaces),
-                                         light(index).position, mask, from, axes.offset);
-        return at->second;
     }
 
     /// How deep volumes may nest in the mask, and whether that is too deep.
@@ -517,19 +156,18 @@ struct Lab::Impl {
         const auto& passes = drawing.plan.passes;
         const bool byShader = std::any_of(passes.begin(), passes.end(),
                                           [](const Pass& pass) { return pass.drawn == Drawn::Silhouettes; });
-        if (!finder) finder.emplace(scene);
         const double start = threadCpuMs();
         for (int i = 0; i < lights(); ++i) {
             if (axes.store == Store::DepthMap) {
-                depthMapFrame(scene, light(i), surfacesOf());
+                depthMapFrame(scene(), light(i), surfacesOf());
                 continue;
             }
             // The mesh with its adjacency is made once for a scene, as the finder's edges are.
             if (byShader && axes.count != Count::PlusPlusZp) continue;
-            const auto casters = finder->lit(light(i).position, axes.silhouette, axes.capFaces);
+            const auto casters = finder().lit(light(i).position, axes.silhouette, axes.capFaces);
             const VolumeKey k = volumeKey(profile, axes, i);
-            if (!byShader) frameVolumes(scene, casters, light(i).position, view(), k.parts, k.style);
-            if (axes.count == Count::PlusPlusZp) eyeBlockers(scene, casters, light(i).position, view().eye);
+            if (!byShader) frameVolumes(scene(), casters, light(i).position, view(), k.parts, k.style);
+            if (axes.count == Count::PlusPlusZp) eyeBlockers(scene(), casters, light(i).position, view().eye);
         }
         return threadCpuMs() - start;
     }
@@ -549,13 +187,8 @@ struct Lab::Impl {
     }
 
     Rendered drawOnce(const Profile& profile, const Drawing& drawing, const RenderOptions& options = {}) {
-        const auto frames = [&, last = -1](int index) mutable -> const LightFrame& {
-            if (index != last) lightFrame(profile, drawing, index);
-            last = index;
-            return current;
-        };
-        return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(), frames,
-                      options);
+        return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(),
+                      lightFrames(*this, profile, drawing), options);
     }
 
     void draw(Cell& cell, const Profile& profile, const Drawing& drawing, Pictures* pictures,
@@ -566,18 +199,20 @@ struct Lab::Impl {
         AfterPass each;
         if (afterPass) each = [&](std::size_t pass) { afterPass(surface, pass); };
         Rendered rendered = drawOnce(profile, drawing, {.afterPass = each});
+        // Once more for the time: the first may compile the driver's programs, or wait for a caller.
+        cell.cpuMs = drawOnce(profile, drawing).cpuMs;
         // Without masks nothing is in shadow; a light that was left out has none.
         const bool isMasked = !plan.masks.empty();
         rendered.masks.resize(std::size_t(lights()), isMasked ? std::vector<bool>{} : rendered.masks.front());
         rendered.values.resize(std::size_t(lights()),
                                isMasked ? std::vector<std::uint16_t>{} : rendered.values.front());
 
-        cell.touched = sumOf(amounts(profile, drawing)).pixels;
+        cell.touched = sumOf(amountsOf(*this, profile, drawing)).pixels;
         cell.passes = rendered.counts.passes;
         if (cell.passes != countPasses(plan))
             throw std::runtime_error("the passes counted at the capability layer are not those of the plan");
         cell.vertices = rendered.counts.vertices;
-        cell.cpuMs = rendered.cpuMs, cell.clock = name(clockOf(surface));
+        cell.clock = name(clockOf(surface));
         const Judgement judgement =
             lights() == 0 ? unmasked(pictures) : judged(cell, profile, drawing, rendered, pictures);
         cell.tiedTruth = judgement.tiedTruth, cell.tiedCount = judgement.tiedCount;
@@ -592,8 +227,8 @@ struct Lab::Impl {
 
     /// Of a frame without lights: there is no mask, and no shadow that it could miss.
     Judgement unmasked(Pictures* pictures) const {
-        const auto pixels = std::size_t(key.width) * std::size_t(key.height);
-        const Image white{key.width, key.height, 1, std::vector<std::uint8_t>(pixels, 255)};
+        const auto pixels = std::size_t(key().width) * std::size_t(key().height);
+        const Image white{key().width, key().height, 1, std::vector<std::uint8_t>(pixels, 255)};
         if (pictures) pictures->mask = pictures->truth = white, pictures->causes.assign(pixels, Cause::None);
         Judgement judgement;
         judgement.pixels.assign(pixels, PixelVerdict::Right);
@@ -610,7 +245,7 @@ struct Lab::Impl {
         const bool clamps = axes.arithmetic != Arithmetic::Count;
         std::vector<Judgement> judgements;
         std::vector<Image> masks, truthPictures;
-        std::vector<Cause> causes(std::size_t(key.width) * std::size_t(key.height));
+        std::vector<Cause> causes(std::size_t(key().width) * std::size_t(key().height));
         for (int i = 0; i < lights(); ++i) {
             if (rendered.masks[std::size_t(i)].empty()) continue;  // of a light that was left out
             const auto truth = truthOf(i, format.depth, chip.depth, axes.silhouette);
@@ -643,18 +278,18 @@ struct Lab::Impl {
         const Axes& axes = drawing.axes;
         const bool hasVolumes =
             axes.store != Store::None && axes.store != Store::DepthMap && axes.count != Count::AtomicZp;
-        const auto drawn =
-            hasVolumes ? drawnVolumes(profile, drawing, index) : std::make_shared<const FrameVolumes>();
-        return predictorOf().explain({.plan = drawing.plan,
-                                      .axes = axes,
-                                      .format = format,
-                                      .chip = chip,
-                                      .light = index,
-                                      .truth = truth,
-                                      .judgement = judgement,
-                                      .values = values,
-                                      .ordinals = drawn->ordinals,
-                                      .leavesOut = !drawing.isFull});
+        const auto drawn = hasVolumes ? drawnVolumes(*this, profile, drawing, index)
+                                      : std::make_shared<const FrameVolumes>();
+        return planner.predictor().explain({.plan = drawing.plan,
+                                            .axes = axes,
+                                            .format = format,
+                                            .chip = chip,
+                                            .light = index,
+                                            .truth = truth,
+                                            .judgement = judgement,
+                                            .values = values,
+                                            .ordinals = drawn->ordinals,
+                                            .leavesOut = !drawing.isFull});
     }
 };
 
@@ -662,7 +297,7 @@ Lab::Lab(Scene scene) : m_impl(std::make_unique<Impl>(std::move(scene))) {}
 Lab::~Lab() = default;
 
 const Scene& Lab::scene() const {
-    return m_impl->scene;
+    return m_impl->scene();
 }
 
 void Lab::use(const FidelityChoice& choice) {
@@ -703,7 +338,7 @@ MinimalPlan Lab::minimalPlan(const Profile& profile, const Axes& axes, int width
 
 int Lab::wrongPixels(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame) {
     m_impl->select({width, height, frame});
-    return m_impl->wrongPixels(profile, Impl::drawingOf(minimal));
+    return m_impl->planner.wrongPixels(profile, drawingOf(minimal), m_impl->fidelity);
 }
 
 std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> ways, int width, int height,
@@ -733,20 +368,26 @@ std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> wa
 std::vector<DrawnAmount> Lab::amounts(const Profile& profile, const MinimalPlan& minimal, int width,
                                       int height, int frame) {
     m_impl->select({width, height, frame});
-    return m_impl->amounts(profile, Impl::drawingOf(minimal));
+    return amountsOf(*m_impl, profile, drawingOf(minimal));
 }
 
 std::vector<DrawnAmount> Lab::fullAmounts(const Profile& profile, const Axes& given, int width, int height,
                                           int frame) {
     m_impl->select({width, height, frame});
     const Axes axes = normalised(given);
-    return m_impl->amounts(profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)});
+    return amountsOf(*m_impl, profile, {.axes = axes, .plan = m_impl->planOf(profile, axes)});
 }
 
 FrameCost Lab::cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
                     double hostMs) {
     m_impl->select({width, height, frame});
-    return m_impl->costOf(profile, Impl::drawingOf(minimal), hostMs);
+    return m_impl->costOf(profile, drawingOf(minimal), hostMs);
+}
+
+FrameCost Lab::drawnCost(const Profile& profile, const Axes& axes, int width, int height, int frame,
+                         double hostMs) {
+    m_impl->select({width, height, frame});
+    return m_impl->costOf(profile, m_impl->drawingOf(profile, normalised(axes)), hostMs);
 }
 
 FrameCost Lab::fullCost(const Profile& profile, const Axes& given, int width, int height, int frame,
@@ -793,7 +434,7 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
     m_impl->select({width, height, frame});
     const Axes axes = normalised(given);
     Cell cell;
-    cell.profile = profile.id, cell.method = methodId(axes), cell.scene = m_impl->scene.id;
+    cell.profile = profile.id, cell.method = methodId(axes), cell.scene = m_impl->scene().id;
     cell.axes = axes;
     cell.width = width, cell.height = height, cell.frame = frame;
     cell.pixels = width * height;

@@ -100,6 +100,10 @@ class Lab {
     /// @pre the chip lacks nothing for it
     FrameCost cost(const Profile& profile, const MinimalPlan& minimal, int width, int height, int frame,
                    double hostMs = 0);
+    /// The same of what run() draws of @p axes: see simulate().
+    /// @pre they aren't automatic
+    FrameCost drawnCost(const Profile& profile, const Axes& axes, int width, int height, int frame,
+                        double hostMs = 0);
     /// The same of the full plan of @p axes.
     FrameCost fullCost(const Profile& profile, const Axes& axes, int width, int height, int frame,
                        double hostMs = 0);

@@ -24,6 +24,7 @@ struct Worker {
     pid_t pid = -1;
     int pipe = -1;
     std::string text{};
+    std::size_t told = 0;  ///< characters of the lines that were handed on as they arrived
     Clock::time_point deadline{};
     bool killed = false;
 };
@@ -76,6 +77,14 @@ Worker start(const std::vector<Job>& jobs, std::size_t index, int seconds) {
     return worker;
 }
 
+/// Hands on the lines that are complete by now.
+void tell(Worker& worker, const std::function<void(std::size_t, const std::string&)>& arrived) {
+    for (std::size_t end; (end = worker.text.find('\n', worker.told)) != std::string::npos;
+         worker.told = end + 1)
+        if (worker.text[worker.told] != kErrorMark)
+            arrived(worker.job, worker.text.substr(worker.told, end - worker.told));
+}
+
 JobEnd finish(Worker& worker, int seconds) {
     close(worker.pipe);
     int status = 0;
@@ -102,7 +111,8 @@ JobEnd finish(Worker& worker, int seconds) {
 }  // namespace
 
 void runJobs(const std::vector<Job>& jobs, int workers, int seconds,
-             const std::function<void(std::size_t, JobEnd)>& ended) {
+             const std::function<void(std::size_t, JobEnd)>& ended,
+             const std::function<void(std::size_t, const std::string&)>& arrived) {
     std::vector<Worker> running;
     std::size_t next = 0;
     while (next < jobs.size() || !running.empty()) {
@@ -134,6 +144,7 @@ void runJobs(const std::vector<Job>& jobs, int workers, int seconds,
             if (n < 0 && errno == EINTR) continue;
             if (n > 0) {
                 worker.text.append(buffer, std::size_t(n));
+                if (arrived) tell(worker, arrived);
                 continue;
             }
             ended(worker.job, finish(worker, seconds));

@@ -23,7 +23,9 @@ struct JobEnd {
 ///
 /// @param seconds  wall-clock limit of one job
 /// @param ended    called in this process as each job ends, in any order
+/// @param arrived  called in this process for each line as it comes in, in the job's order; before @p ended
 void runJobs(const std::vector<Job>& jobs, int workers, int seconds,
-             const std::function<void(std::size_t job, JobEnd)>& ended);
+             const std::function<void(std::size_t job, JobEnd)>& ended,
+             const std::function<void(std::size_t job, const std::string& line)>& arrived = {});
 
 }  // namespace gnomon

@@ -41,16 +41,18 @@ void runGroup(const MatrixRequest& request, const Group& group,
             for (std::size_t p = 0; p < request.profiles.size(); ++p) {
                 Cell cell = lab.run(request.profiles[p], axes, width, height, group.frame);
                 cell.chosen = cell.method == chosen[p];
+                addQuestion(cell, fidelity, request.view);
                 emit(toJson(cell).dump());
             }
         }
     }
 }
 
-Cell failedCell(const Group& group, Device device, const FidelityChoice& fidelity, const Axes& axes,
-                const Profile& profile, const std::string& error) {
+Cell failedCell(const MatrixRequest& request, const Group& group, const FidelityChoice& fidelity,
+                const Axes& axes, const Profile& profile, const std::string& error) {
     Cell cell;
-    cell.device = name(device);
+    addQuestion(cell, fidelity, request.view);
+    cell.device = name(request.device);
     cell.fidelity = name(fidelity.fidelity);
     cell.profile = profile.id, cell.method = methodId(axes), cell.scene = group.scene->id;
     cell.axes = axes;
@@ -61,6 +63,12 @@ Cell failedCell(const Group& group, Device device, const FidelityChoice& fidelit
 }
 
 }  // namespace
+
+void addQuestion(Cell& cell, const FidelityChoice& fidelity, const std::map<std::string, std::string>& view) {
+    cell.dithers = fidelity.dithers;
+    if (fidelity.unit) cell.blendUnit = name(*fidelity.unit);
+    cell.view = view;
+}
 
 std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene) {
     const int all = int(scene.frames.size());
@@ -73,8 +81,7 @@ std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene) {
     return frames;
 }
 
-std::vector<Cell> runMatrix(const MatrixRequest& request,
-                            const std::function<void(std::size_t, std::size_t)>& progress) {
+std::vector<Cell> runMatrix(const MatrixRequest& request, const ProgressListener& progress) {
     const std::vector<Group> groups = groupsOf(request);
     const std::size_t perFidelity = request.methods.size() * request.profiles.size();
     const std::size_t perGroup = request.fidelities.size() * perFidelity;
@@ -86,20 +93,27 @@ std::vector<Cell> runMatrix(const MatrixRequest& request,
     }
 
     std::vector<Cell> cells(groups.size() * perGroup);
-    std::size_t done = 0;
-    runJobs(jobs, request.jobs, request.secondsPerJob, [&](std::size_t job, JobEnd end) {
-        for (std::size_t i = 0; i < perGroup; ++i) {
-            Cell& cell = cells[job * perGroup + i];
-            if (i < end.lines.size())
-                cell = cellFromJson(nlohmann::ordered_json::parse(end.lines[i]));
-            else
-                cell = failedCell(groups[job], request.device, request.fidelities[i / perFidelity],
-                                  request.methods[i % perFidelity / request.profiles.size()],
-                                  request.profiles[i % request.profiles.size()], end.error);
+    std::vector<std::size_t> doneOf(groups.size());
+    Progress at{.all = cells.size()};
+    if (progress) progress(at);
+    const auto add = [&](std::size_t job, Cell cell) {
+        at.failures += cell.verdict == Verdict::Failed;
+        cells[job * perGroup + doneOf[job]++] = std::move(cell);
+        ++at.done;
+        if (progress) progress(at);
+    };
+    const auto arrived = [&](std::size_t job, const std::string& line) {
+        add(job, cellFromJson(nlohmann::ordered_json::parse(line)));
+    };
+    const auto ended = [&](std::size_t job, const JobEnd& end) {
+        while (doneOf[job] < perGroup) {
+            const std::size_t i = doneOf[job];
+            add(job, failedCell(request, groups[job], request.fidelities[i / perFidelity],
+                                request.methods[i % perFidelity / request.profiles.size()],
+                                request.profiles[i % request.profiles.size()], end.error));
         }
-        done += perGroup;
-        if (progress) progress(done, cells.size());
-    });
+    };
+    runJobs(jobs, request.jobs, request.secondsPerJob, ended, arrived);
     return cells;
 }
 

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gl/chip_arithmetic.h"
 #include "gl/device.h"
 #include "matrix/cell.h"
+#include "matrix/progress.h"
 #include "needs/effects.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
@@ -27,11 +30,17 @@ struct MatrixRequest {
     /// the path apart.
     std::vector<int> frames{};
     std::vector<FidelityChoice> fidelities{{}};
-    std::optional<Effects> effects{};  ///< Lab::simulate()
-    Device device = defaultDevice();   ///< Lab::drawOn()
+    std::optional<Effects> effects{};           ///< Lab::simulate()
+    std::map<std::string, std::string> view{};  ///< Cell::view of all cells: how the scenes were placed
+    Device device = defaultDevice();            ///< Lab::drawOn()
     int jobs = 1;
     int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
 };
+
+/// Adds to @p cell what was chosen besides its method and fidelity, so that it can be drawn again from its
+/// record.
+/// @param view  Cell::view
+void addQuestion(Cell& cell, const FidelityChoice& fidelity, const std::map<std::string, std::string>& view);
 
 /// Frames of @p scene that @p request asks for.
 std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene);
@@ -40,8 +49,7 @@ std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene);
 /// no others. The order of cells is that of the request whatever ends first: scenes, sizes, frames,
 /// fidelities, methods, profiles.
 ///
-/// @param progress  called with done and all cells as they come in
-std::vector<Cell> runMatrix(const MatrixRequest& request,
-                            const std::function<void(std::size_t done, std::size_t all)>& progress = {});
+/// @param progress  in cells: at the start, and as each comes in
+std::vector<Cell> runMatrix(const MatrixRequest& request, const ProgressListener& progress = {});
 
 }  // namespace gnomon

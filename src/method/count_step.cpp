@@ -50,6 +50,7 @@ CountStep countStep(const Profile& profile, int bits, bool wraps, bool doubled) 
 }
 
 int countDoublings(const Profile& profile, int bits) {
+    if (bits == 0) return 0;  // the chip is refused, but its plan is made
     int most = bits;
     for (const BlendUnit unit : unitsOf(profile))
         most = std::max(most, doublingsOf(unit, bits, doubledCodes(profile, bits)).value_or(0));

@@ -56,12 +56,14 @@ struct Value {
         return value;
     }
 
-    /// A rate, whole or not; written so that "nan" is refused as well.
+    static constexpr double kLeastRate = 0.001;
+
+    /// A rate, whole or not, or 0: none; written so that "nan" is refused as well.
     double rate(double most) const {
         const double value =
             node.is_integer() ? static_cast<double>(as<std::int64_t>("")) : as<double>("a number");
-        if (!(value >= 0 && value <= most))
-            refuse(fmt::format("{} = {} is outside 0 to {}", key, value, most));
+        if (!(value == 0 || (value >= kLeastRate && value <= most)))
+            refuse(fmt::format("{} = {} is neither 0 nor {} to {}", key, value, kLeastRate, most));
         return value;
     }
 

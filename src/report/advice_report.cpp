@@ -10,8 +10,10 @@
 #include "report/cost_notes.h"
 #include "report/device_listing.h"
 #include "report/gl_listing.h"
+#include "report/listings.h"
 #include "report/plan_json.h"
 #include "report/table.h"
+#include "report/verdict_colour.h"
 
 namespace gnomon {
 namespace {
@@ -32,19 +34,20 @@ std::string causesText(const Cell& cell) {
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-std::string verdictText(const AdviceRow& row) {
-    const int wrong = row.wrong();
+std::string verdictText(const AdviceRow& row, bool colours) {
+    const Verdict verdict = row.cell.verdict;
+    const std::string wrong = fmt::format(" {}", row.wrong());
     switch (row.cell.verdict) {
         case Verdict::Exact:
-            return row.proof.empty() ? "exact" : "exact, proved";
+            return inColour("exact", verdict, colours) + (row.proof.empty() ? "" : ", proved");
         case Verdict::Edge:
-            return fmt::format("edge {}", wrong);
+            return inColour("edge", verdict, colours) + wrong;
         case Verdict::Wrong:
-            return fmt::format("WRONG {}", wrong);
+            return inColour("WRONG", verdict, colours) + wrong;
         case Verdict::Refused:
-            return "refused";
+            return inColour("refused", verdict, colours);
         case Verdict::Failed:
-            return "FAILED";
+            return inColour("FAILED", verdict, colours);
     }
     return {};
 }
@@ -82,7 +85,7 @@ std::string savedText(const AdviceRow& row, const AdviceRow& cheaper) {
                                       row.amount.pixels.total() - cheaper.amount.pixels.total());
 }
 
-std::string tableText(const Advice& advice) {
+std::string tableText(const Advice& advice, const Page& page) {
     const bool hasTimes = std::any_of(advice.rows.begin(), advice.rows.end(), isTimed);
     std::vector<std::vector<std::string>> rows{
         {"method", "verdict", "scene", "volume", "rectangle", "copy", "vertices", "touched", "of full"}};
@@ -93,15 +96,16 @@ std::string tableText(const Advice& advice) {
         if (!row.isDrawn()) continue;
         const PassCounts passes = countPasses(row.minimal.plan);
         const auto number = [](auto value) { return fmt::format("{}", value); };
-        rows.push_back({fmt::format("{}{}", row.method, advice.chosen == i ? "*" : ""), verdictText(row),
-                        number(passes.scene), number(passes.volume), number(passes.rectangle),
-                        number(passes.copy), number(row.amount.vertices), number(row.amount.pixels.total()),
+        rows.push_back({fmt::format("{}{}", row.method, advice.chosen == i ? "*" : ""),
+                        verdictText(row, page.colours), number(passes.scene), number(passes.volume),
+                        number(passes.rectangle), number(passes.copy), number(row.amount.vertices),
+                        number(row.amount.pixels.total()),
                         ratioText(row.amount.pixels.total(), row.fullAmount.pixels.total())});
         if (hasTimes)
             rows.back().insert(rows.back().end(), {msText(row.cost.ms()), limitText(row.cost.limit())});
         rows.back().push_back(whyOf(row));
     }
-    return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows)) : "";
+    return rows.size() > 1 ? fmt::format("{}\n", alignColumns(rows, page.width)) : "";
 }
 
 /// What the chip lacks for a method, or how the method failed.
@@ -113,7 +117,7 @@ std::string wantOf(const Cell& cell) {
 }
 
 /// The methods of that verdict under a head; those of which the same is said share a line.
-std::string undrawnText(const char* head, const Advice& advice, Verdict verdict) {
+std::string undrawnText(const char* head, const Advice& advice, Verdict verdict, std::size_t width) {
     std::vector<std::pair<std::string, std::vector<std::string>>> wants;
     for (const AdviceRow& row : advice.rows) {
         if (row.cell.verdict != verdict) continue;
@@ -127,7 +131,8 @@ std::string undrawnText(const char* head, const Advice& advice, Verdict verdict)
     }
     std::string text;
     for (const auto& [want, methods] : wants)
-        text += fmt::format("  {}\n", wrapText(fmt::format("{}: {}", fmt::join(methods, ", "), want), 4));
+        text +=
+            fmt::format("  {}\n", wrapText(fmt::format("{}: {}", fmt::join(methods, ", "), want), 4, width));
     return text.empty() ? text : fmt::format("{}\n{}\n", head, text);
 }
 
@@ -138,9 +143,11 @@ std::string wrongText(const AdviceRow& row) {
                        causes);
 }
 
-std::string choiceText(const Advice& advice) {
+std::string choiceText(const Advice& advice, std::size_t width) {
     std::string text;
-    const auto line = [&](const std::string& words) { text += fmt::format("{}\n", wrapText(words, 0)); };
+    const auto line = [&](const std::string& words) {
+        text += fmt::format("{}\n", wrapText(words, 0, width));
+    };
     if (!advice.chosen) {
         const AdviceRow* best = advice.leastWrong();
         if (!best) {
@@ -183,18 +190,18 @@ std::string choiceText(const Advice& advice) {
     return text;
 }
 
-std::string adviceText(const Advice& advice) {
+std::string adviceText(const Advice& advice, const Page& page) {
     std::string text = fmt::format("{} on {} at {}x{}, frame {}{}{}\n\n", advice.scene, advice.profile,
                                    advice.width, advice.height, advice.frame,
                                    advice.fidelity == "chip" ? ", with the chip's own arithmetic" : "",
                                    deviceText(advice.device));
-    text += tableText(advice);
-    text += undrawnText("Refused for want of", advice, Verdict::Refused);
-    text += undrawnText("Failed", advice, Verdict::Failed);
-    text += choiceText(advice);
+    text += tableText(advice, page);
+    text += undrawnText("Refused for want of", advice, Verdict::Refused, page.width);
+    text += undrawnText("Failed", advice, Verdict::Failed, page.width);
+    text += choiceText(advice, page.width);
     if (!advice.chosen) return text;
     const AdviceRow& row = advice.rows[*advice.chosen];
-    text += effectsText(row.minimal.notes);
+    text += effectsText(row.minimal.notes, page.width);
     text += fmt::format("\nIts passes as OpenGL calls\n\n{}",
                         glListing(row.minimal.plan, advice.profile, row.chipTerms));
     return text;
@@ -323,8 +330,8 @@ std::string adviceCsv(const Advice& advice) {
 
 }  // namespace
 
-std::string showAdvice(const Advice& advice, Format format) {
-    switch (format) {
+std::string showAdvice(const Advice& advice, const Page& page) {
+    switch (page.format) {
         case Format::Json:
             return fmt::format("{}\n", Json::array({adviceJson(advice)}).dump(2));
         case Format::Csv:
@@ -332,7 +339,7 @@ std::string showAdvice(const Advice& advice, Format format) {
         case Format::Text:
             break;
     }
-    return adviceText(advice);
+    return adviceText(advice, page);
 }
 
 }  // namespace gnomon

@@ -13,8 +13,9 @@ namespace {
 constexpr int kMargin = 4, kSwatch = 7, kLine = kLetterHeight + 2;
 constexpr Rgb kPaper{255, 255, 255}, kInk{0, 0, 0};
 
-/// Colours that are far from each other, and from the greys of the mask.
-Rgb colourOf(Cause cause) {
+}  // namespace
+
+std::array<std::uint8_t, 3> colourOf(Cause cause) {
     static constexpr Rgb kColours[kCauses] = {
         {255, 255, 255},                                                   // none
         {70, 70, 160},                                                     // no shadow is drawn
@@ -27,8 +28,6 @@ Rgb colourOf(Cause cause) {
     };
     return kColours[std::size_t(cause)];
 }
-
-}  // namespace
 
 Image causePicture(const Image& mask, const std::vector<Cause>& causes) {
     std::map<Cause, int> counts;

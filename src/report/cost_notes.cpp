@@ -24,10 +24,12 @@ std::string limitText(const std::optional<Resource>& limit) {
     return limit ? name(*limit) : "-";
 }
 
-std::string costText(const CostNotes& notes) {
+std::string costText(const CostNotes& notes, std::size_t width) {
     const FrameCost& cost = notes.minimal;
     std::string text;
-    const auto line = [&](const std::string& words) { text += fmt::format("{}\n", wrapText(words, 2)); };
+    const auto line = [&](const std::string& words) {
+        text += fmt::format("{}\n", wrapText(words, 2, width));
+    };
     if (!notes.hasTimes()) {
         line(fmt::format("No time by the model: {}.", fmt::join(cost.missing, ", ")));
         return text;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cost/model.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -25,7 +26,7 @@ std::string msText(double ms);
 std::string limitText(const std::optional<Resource>& limit);
 
 /// For people: time and frames per second, the limit, the rates with their sources, and what is missing.
-std::string costText(const CostNotes& notes);
+std::string costText(const CostNotes& notes, std::size_t width = kPageColumns);
 
 /// {"ms":...,"limit":"fill","fill_ms":...,"bandwidth_ms":...,"triangles_ms":...,"bus_ms":...,"fragments":...,
 /// "passed":...,"bytes":...,"bus_bytes":...}; a limit of nothing is null.

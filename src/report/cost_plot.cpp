@@ -13,7 +13,10 @@ constexpr const char* kFrontier = "best bargains";
 const std::vector<std::string> kKinds{"no shadows",   "stencil",    "destination alpha", "colour buffer",
                                       "16-bit count", "shadow map", "smaller mask"};
 
-std::size_t kindOf(const Axes& axes) {
+/// Of what is drawn: an automatic method is of the kind that it has chosen, if that was always the same.
+std::size_t kindOf(const CostRow& row) {
+    const NamedMethod* chosen = findMethod(row.drawnBy);
+    const Axes& axes = chosen ? chosen->axes : row.setting.way.axes;
     return axes.maskDivisor > 1 ? kKinds.size() - 1 : std::size_t(axes.store);
 }
 
@@ -58,7 +61,8 @@ Plot costPlot(const CostStudy& study, const CostAxis& axis) {
         .y = {
             .title = "wrong pixels per frame", .logarithmic = true, .foot = "0: exact", .spreadsFoot = true}};
 
-    for (const std::string& kind : kKinds) plot.series.push_back({.name = kind});
+    for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
+        plot.series.push_back({.name = kKinds[kind], .look = kind});
     std::vector<const CostRow*> steps;
     for (const CostRow& row : study.rows) {
         if (!row.isDrawn()) continue;
@@ -67,7 +71,7 @@ Plot costPlot(const CostStudy& study, const CostAxis& axis) {
         const bool isChip = row.setting.way.fidelity.fidelity == Fidelity::Chip;
         if (point.marked || row.setting.isNamed || (point.y > 0 && !isChip)) point.label = row.setting.name;
         if (axis.ends) std::tie(point.xLow, point.xHigh) = axis.ends(row);
-        plot.series[kindOf(row.setting.way.axes)].points.push_back(point);
+        plot.series[kindOf(row)].points.push_back(point);
     }
     std::erase_if(plot.series, [](const PlotSeries& series) { return series.points.empty(); });
     // Many are exact.
@@ -88,8 +92,8 @@ std::vector<Plot> costPlots(const CostStudy& study) {
     const CostAxis time{
         .title = "what exact shadows cost in time",
         .cost =
-            "time of a frame on this processor, as a multiple of the frame without shadows (bars: quartiles)",
-        .what = "the less time this processor takes (not the chip)",
+            "time of a frame on this machine, as a multiple of the frame without shadows (bars: quartiles)",
+        .what = "the less time this machine takes (not the chip)",
         .median = [](const CostStudy&, const CostRow& row) { return row.ratio.median; },
         .ends = [](const CostRow& row) { return std::pair(row.ratio.low, row.ratio.high); },
         .onFrontier = &CostRow::onTimeFrontier};
@@ -102,7 +106,16 @@ std::vector<Plot> costPlots(const CostStudy& study) {
                                           (double(s.width) * s.height * double(s.frames.size()));
                                },
                            .onFrontier = &CostRow::onTouchedFrontier};
-    return {costPlot(study, time), costPlot(study, touched)};
+    const CostAxis model{
+        .title = "what exact shadows cost on the chip, by the model",
+        .cost = "milliseconds of a frame by the chip's peak rates: the least that it can take, not measured",
+        .what = "the less time the chip's fill rate, memory, triangle rate and bus allow",
+        .median = [](const CostStudy& s,
+                     const CostRow& row) { return row.model.ms / double(s.frames.size()); },
+        .onFrontier = &CostRow::onModelFrontier};
+    std::vector<Plot> plots{costPlot(study, time), costPlot(study, touched)};
+    if (study.hasModelRates) plots.push_back(costPlot(study, model));
+    return plots;
 }
 
 }  // namespace gnomon

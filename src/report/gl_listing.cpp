@@ -7,6 +7,7 @@
 #include <cctype>
 
 #include "report/plan_notes.h"
+#include "report/table.h"
 
 namespace gnomon {
 namespace {
@@ -72,6 +73,11 @@ struct Used {
          stencilMask = false, blend = false, equation = false, alpha = false, logic = false,
          depthClamp = false, texture = false, program = false;
 };
+
+/// A comment of C, in as many lines as it needs.
+std::string comment(const std::string& words) {
+    return fmt::format("{}\n", wrapText(fmt::format("/* {} */", words), 3));
+}
 
 /// Writes the calls of one pass, a line each.
 class Calls {
@@ -443,7 +449,7 @@ std::string glListing(const Plan& plan, const std::string& profile,
                       const std::vector<std::string>& chipTerms) {
     std::string text;
     for (const std::string& need : beyondOpenGl11(plan))
-        text += fmt::format("/* beyond OpenGL 1.1: {} */\n", need);
+        text += comment(fmt::format("beyond OpenGL 1.1: {}", need));
     text += glSetup();
     const std::vector<std::string> calls = glCalls(plan);
     std::size_t volumes = 0, folded = 0;
@@ -459,9 +465,9 @@ std::string glListing(const Plan& plan, const std::string& profile,
             continue;
         }
         endFold();
-        text += fmt::format("\n/* pass {}: {} */\n", i + 1, pass.label);
+        text += fmt::format("\n{}", comment(fmt::format("pass {}: {}", i + 1, pass.label)));
         if (i < chipTerms.size() && !chipTerms[i].empty())
-            text += fmt::format("/* {}: {} */\n", profile, chipTerms[i]);
+            text += comment(fmt::format("{}: {}", profile, chipTerms[i]));
         text += calls[i];
     }
     endFold();

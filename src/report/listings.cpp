@@ -73,7 +73,7 @@ std::string foldedLabel(const ShownPasses& shown) {
     return fmt::format("{} more, front and back faces in turn", shown.folded.size());
 }
 
-std::string passTable(const PlanSheet& sheet) {
+std::string passTable(const PlanSheet& sheet, std::size_t width) {
     const ShownPasses shown = shownPasses(sheet.plan);
     std::vector<std::vector<std::string>> rows{{"pass", "draws", "what", "state"}};
     const auto add = [&](std::size_t i) {
@@ -86,11 +86,11 @@ std::string passTable(const PlanSheet& sheet) {
     for (const std::size_t i : shown.before) add(i);
     if (!shown.folded.empty()) rows.push_back({"...", "volume", foldedLabel(shown), ""});
     for (const std::size_t i : shown.after) add(i);
-    return alignColumns(rows);
+    return alignColumns(rows, width);
 }
 
 /// With state, chip's terms and reason beneath each pass.
-std::string explainedTable(const PlanSheet& sheet) {
+std::string explainedTable(const PlanSheet& sheet, std::size_t width) {
     const ShownPasses shown = shownPasses(sheet.plan);
     const PlanNotes& notes = *sheet.notes;
     const CostNotes* cost = notes.cost && notes.cost->hasTimes() ? &*notes.cost : nullptr;
@@ -109,7 +109,7 @@ std::string explainedTable(const PlanSheet& sheet) {
         rows.back().push_back(pass.label);
         std::string& lines = beneath.emplace_back();
         const auto line = [&](const std::string& text) {
-            lines += fmt::format("      {}\n", wrapText(text, 8));
+            lines += fmt::format("      {}\n", wrapText(text, 8, width));
         };
         line(describeState(pass, sheet.plan.windows));
         if (const std::string terms = termsOf(sheet, i); !terms.empty())
@@ -130,7 +130,8 @@ std::string explainedTable(const PlanSheet& sheet) {
         beneath.emplace_back();
     }
     for (const std::size_t i : shown.after) add(i);
-    std::istringstream table(alignColumns(rows));
+    // A line each, whatever the width: what is beneath belongs to its row.
+    std::istringstream table(alignColumns(rows, std::string::npos));
     std::string text, line;
     for (const std::string& lines : beneath) {
         std::getline(table, line);
@@ -139,19 +140,19 @@ std::string explainedTable(const PlanSheet& sheet) {
     return text;
 }
 
-std::string planText(const PlanSheet& sheet) {
+std::string planText(const PlanSheet& sheet, std::size_t width) {
     const Plan& plan = sheet.plan;
     std::string text = fmt::format("{} ({}) on {}: {} at {}x{}, frame {}\n\n", sheet.method, sheet.shade,
                                    sheet.profile, sheet.scene, plan.width, plan.height, sheet.frame);
-    text += sheet.notes ? explainedTable(sheet) : passTable(sheet);
+    text += sheet.notes ? explainedTable(sheet, width) : passTable(sheet, width);
     const PassCounts counts = countPasses(plan);
     text += fmt::format("\n{}, {}, {}, {}\n", counted(counts.scene, "scene pass", "scene passes"),
                         counted(counts.volume, "volume pass", "volume passes"),
                         counted(counts.rectangle, "rectangle", "rectangles"),
                         counted(counts.copy, "copy", "copies"));
-    if (sheet.notes) text += notesText(plan, *sheet.notes);
+    if (sheet.notes) text += notesText(plan, *sheet.notes, width);
     for (const Missing& m : sheet.missing)
-        text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9) + "\n";
+        text += wrapText(fmt::format("refused: the chip lacks {} [{}]", m.what, m.source), 9, width) + "\n";
     return text;
 }
 
@@ -235,10 +236,10 @@ std::string plansCsv(const std::vector<PlanSheet>& sheets) {
 }
 
 /// What a hard case is about, and what must come of it as commands that show it.
-std::string promisesOf(const Scene& scene) {
+std::string promisesOf(const Scene& scene, std::size_t width) {
     const HardCase& hard = *scene.hard;
     std::string text = fmt::format("family: {}\nwhat:   {}\nsource: {}\n", hard.family,
-                                   wrapText(hard.what, 8), wrapText(hard.source, 8));
+                                   wrapText(hard.what, 8, width), wrapText(hard.source, 8, width));
     if (!hard.fails.empty()) text += "\nmust be wrong\n";
     for (const HardCell& cell : hard.fails)
         text += fmt::format("  gnomon render {} {}\n    {}\n", scene.id, argumentsOf(cell), cell.cause);
@@ -277,9 +278,9 @@ std::string scenesJson(const std::vector<Scene>& scenes) {
 
 }  // namespace
 
-std::string listing(const std::vector<std::vector<std::string>>& rows, Format format) {
-    if (format == Format::Text) return alignColumns(rows);
-    if (format == Format::Csv) {
+std::string listing(const std::vector<std::vector<std::string>>& rows, const Page& page) {
+    if (page.format == Format::Text) return alignColumns(rows, page.width);
+    if (page.format == Format::Csv) {
         std::string text;
         for (const auto& row : rows) text += csvLine(row);
         return text;
@@ -309,8 +310,8 @@ std::string kindName(PassKind kind) {
     return {};
 }
 
-std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
-    const bool text = format == Format::Text;
+std::string listProfiles(const std::vector<Profile>& profiles, const Page& page) {
+    const bool text = page.format == Format::Text;
     std::vector<std::vector<std::string>> rows{
         {"profile", "title", "year", "colour", "alpha", "depth", "stencil", "equations"}};
     if (!text) rows[0].push_back("logic_ops");
@@ -331,19 +332,21 @@ std::string listProfiles(const std::vector<Profile>& profiles, Format format) {
                             known ? name(p.blendUnit()) + (text ? further : "") : "-",
                             known ? name(p.gradeOf("blend_units")) : "-"});
     }
-    std::string list = listing(rows, format);
+    std::string list = listing(rows, page);
     if (text)
-        list +=
-            "\nequations: sub, rev: source minus destination, destination minus source; wrap: sums keep "
-            "their low "
-            "bits;\nlogic: logic operations. textures: at a time, largest side. blend unit: the chip's own "
-            "arithmetic "
-            "(+1:\nanother one where sources disagree or nobody knows); evidence: what stands behind it.\n";
+        list += fmt::format(
+            "\n{}\n",
+            wrapText(
+                "equations: sub, rev: source minus destination, destination minus source; wrap: sums keep "
+                "their low bits; logic: logic operations. textures: at a time, largest side. blend unit: "
+                "the chip's own arithmetic (+1: another one where sources disagree or nobody knows); "
+                "evidence: what stands behind it.",
+                0, page.width));
     return list;
 }
 
-std::string showProfile(const Profile& profile, Format format) {
-    if (format == Format::Json) {
+std::string showProfile(const Profile& profile, const Page& page) {
+    if (page.format == Format::Json) {
         Json facts = Json::array(), sources = Json::array();
         for (const auto& fact : profile.facts)
             facts.push_back({{"key", fact.key},
@@ -360,31 +363,32 @@ std::string showProfile(const Profile& profile, Format format) {
                    .dump(2) +
                "\n";
     }
-    if (format == Format::Csv) {
+    if (page.format == Format::Csv) {
         std::vector<std::vector<std::string>> rows{{"fact", "value", "source", "grade"}};
         for (const auto& fact : profile.facts)
             rows.push_back({fact.key, fact.value, fact.source, name(fact.grade)});
-        return listing(rows, format);
+        return listing(rows, page);
     }
     std::string text = fmt::format("{}: {}\n\n", profile.id, profile.title);
     const auto line = [&](const std::string& key, const std::string& grade, const std::string& value) {
-        text += fmt::format("{:<26}{:<10}{}\n", key, grade, wrapText(value, 36));
+        text += fmt::format("{:<26}{:<10}{}\n", key, grade, wrapText(value, 36, page.width));
     };
     line("fact", "evidence", "value [source]");
     line(std::string(24, '-'), std::string(8, '-'), std::string(14, '-'));
     for (const auto& fact : profile.facts) {
         line(fact.key, name(fact.grade), fact.value);
-        text += fmt::format("{:36}[{}]\n", "", wrapText(fact.source, 37));
+        text += fmt::format("{:36}[{}]\n", "", wrapText(fact.source, 37, page.width - 1));
     }
     text += "\nA capability that is not listed is absent.\n";
     if (profile.blendUnits.empty()) text += "Its blend arithmetic is not known: ideal rounding stands in.\n";
     if (!profile.sources.empty()) text += "\nSources\n";
     for (const auto& s : profile.sources)
-        text += "  " + wrapText(fmt::format("{} [{}]: {}", s.key, name(s.grade), s.document), 4) + "\n";
+        text += "  " + wrapText(fmt::format("{} [{}]: {}", s.key, name(s.grade), s.document), 4, page.width) +
+                "\n";
     return text;
 }
 
-std::string listMethods(const std::vector<NamedMethod>& methods, Format format) {
+std::string listMethods(const std::vector<NamedMethod>& methods, const Page& page) {
     std::vector<std::vector<std::string>> rows{
         {"method", "store", "arithmetic", "count", "mask_scale", "apply", "source", "summary"}};
     for (const NamedMethod& m : methods) {
@@ -394,18 +398,18 @@ std::string listMethods(const std::vector<NamedMethod>& methods, Format format) 
                         none ? "-" : maskScaleName(m.axes.maskDivisor), none ? "-" : name(m.axes.apply),
                         m.source, m.summary});
     }
-    return listing(rows, format);
+    return listing(rows, page);
 }
 
-std::string listAxisValues(Format format) {
+std::string listAxisValues(const Page& page) {
     std::vector<std::vector<std::string>> rows{{"axis", "value", "source", "summary"}};
     for (const AxisValue& v : axisValues()) rows.push_back({v.axis, v.value, v.source, v.summary});
-    return listing(rows, format);
+    return listing(rows, page);
 }
 
-std::string listScenes(const std::vector<Scene>& scenes, Format format) {
-    if (format == Format::Json) return scenesJson(scenes);
-    const bool text = format == Format::Text;
+std::string listScenes(const std::vector<Scene>& scenes, const Page& page) {
+    if (page.format == Format::Json) return scenesJson(scenes);
+    const bool text = page.format == Format::Text;
     std::vector<std::vector<std::string>> rows{
         {"scene", "objects", "triangles", "lights", "frames", "title"}};
     if (!text) rows[0].insert(rows[0].end(), {"family", "what"});
@@ -421,22 +425,22 @@ std::string listScenes(const std::vector<Scene>& scenes, Format format) {
         rows.back().push_back(s.hard ? s.hard->family : "");
         rows.back().push_back(s.hard ? s.hard->what : "");
     }
-    std::string list = rows.size() > 1 ? listing(rows, format) : "";
-    if (hard.size() > 1) list += fmt::format("{}{}", list.empty() ? "" : "\n", listing(hard, format));
+    std::string list = rows.size() > 1 ? listing(rows, page) : "";
+    if (hard.size() > 1) list += fmt::format("{}{}", list.empty() ? "" : "\n", listing(hard, page));
     if (text && scenes.size() == 1 && scenes.front().hard)
-        list += fmt::format("\n{}", promisesOf(scenes.front()));
+        list += fmt::format("\n{}", promisesOf(scenes.front(), page.width));
     return list;
 }
 
-std::string showPlans(const std::vector<PlanSheet>& sheets, Format format) {
-    if (format == Format::Json) {
+std::string showPlans(const std::vector<PlanSheet>& sheets, const Page& page) {
+    if (page.format == Format::Json) {
         Json all = Json::array();
         for (const PlanSheet& sheet : sheets) all.push_back(planJson(sheet));
         return all.dump(2) + "\n";
     }
-    if (format == Format::Csv) return plansCsv(sheets);
+    if (page.format == Format::Csv) return plansCsv(sheets);
     std::string text;
-    for (const PlanSheet& sheet : sheets) text += planText(sheet) + "\n";
+    for (const PlanSheet& sheet : sheets) text += planText(sheet, page.width) + "\n";
     return text;
 }
 

@@ -11,6 +11,7 @@
 #include "matrix/cell_json.h"
 #include "report/device_listing.h"
 #include "report/table.h"
+#include "report/verdict_colour.h"
 
 namespace gnomon {
 namespace {
@@ -86,13 +87,13 @@ class Notes {
         return letterOf(at);
     }
     /// @param all  the chips of the table
-    std::string text(const std::vector<std::string>& all) const {
+    std::string text(const std::vector<std::string>& all, std::size_t width) const {
         std::string out;
         for (std::size_t i = 0; i < m_notes.size(); ++i) {
-            out += fmt::format("  {:<3}{}\n", letterOf(i), wrapText(m_notes[i].text, 5));
+            out += fmt::format("  {:<3}{}\n", letterOf(i), wrapText(m_notes[i].text, 5, width));
             for (const auto& [source, chips] : m_notes[i].chips)
                 out += fmt::format("       {}\n",
-                                   wrapText(fmt::format("{}: {}", chipsText(chips, all), source), 9));
+                                   wrapText(fmt::format("{}: {}", chipsText(chips, all), source), 9, width));
         }
         return out;
     }
@@ -105,26 +106,27 @@ class Notes {
     std::vector<Note> m_notes{};
 };
 
-std::string cellText(const Entry& e, const std::string& profile, Notes& notes) {
+std::string cellText(const Entry& e, const std::string& profile, Notes& notes, bool colours) {
+    const auto word = [&](const char* text) { return inColour(text, e.verdict, colours); };
     const std::string passes =
         fmt::format(" {}/{}{}", e.passes.scene, e.passes.rectangle, e.chosen ? "*" : "");
     switch (e.verdict) {
         case Verdict::Exact:
-            return "exact" + passes;
+            return word("exact") + passes;
         case Verdict::Edge:
-            return fmt::format("edge {}", e.wrong) + passes;
+            return fmt::format("{} {}{}", word("edge"), e.wrong, passes);
         case Verdict::Wrong:
-            return fmt::format("WRONG {}", e.wrong) + passes;
+            return fmt::format("{} {}{}", word("WRONG"), e.wrong, passes);
         case Verdict::Refused:
             break;
         case Verdict::Failed:
-            return fmt::format("FAILED {}", notes.letter(e.error, "failed", profile));
+            return fmt::format("{} {}", word("FAILED"), notes.letter(e.error, "failed", profile));
     }
     std::vector<std::string> letters;
     for (const Missing& m : e.missing) letters.push_back(notes.letter(m.what, m.source, profile));
     std::sort(letters.begin(), letters.end(),
               [](const auto& a, const auto& b) { return std::pair(a.size(), a) < std::pair(b.size(), b); });
-    return fmt::format("- {}", fmt::join(letters, ","));
+    return inColour(fmt::format("- {}", fmt::join(letters, ",")), e.verdict, colours);
 }
 
 /// A column of the table: chips that have the same entry in every row.
@@ -167,11 +169,9 @@ std::string headsText(const std::vector<std::string>& chips, const std::vector<C
     return fmt::format("{}", fmt::join(words, ", "));
 }
 
-/// The widest line of a table; what is wider goes on in a further block.
-constexpr std::size_t kWidestTable = 140;
-
-/// The columns behind one of row heads, in as many blocks as they need.
-std::string blocksOf(const std::vector<std::string>& methods, const std::vector<Column>& columns) {
+/// The columns behind one of row heads, in as many blocks of at most @p widest columns of text as they need.
+std::string blocksOf(const std::vector<std::string>& methods, const std::vector<Column>& columns,
+                     std::size_t widest) {
     std::size_t headWidth = std::string("method").size();
     for (const std::string& method : methods) headWidth = std::max(headWidth, method.size());
 
@@ -180,14 +180,14 @@ std::string blocksOf(const std::vector<std::string>& methods, const std::vector<
         std::vector<std::vector<std::string>> rows{{"method"}};
         for (const std::string& method : methods) rows.push_back({method});
         for (std::size_t width = headWidth; at < columns.size(); ++at) {
-            std::size_t widest = columns[at].head().size();
-            for (const std::string& entry : columns[at].entries) widest = std::max(widest, entry.size());
-            width += 2 + widest;
-            if (width > kWidestTable && rows[0].size() > 1) break;
+            std::size_t column = textWidth(columns[at].head());
+            for (const std::string& entry : columns[at].entries) column = std::max(column, textWidth(entry));
+            width += 2 + column;
+            if (width > widest && rows[0].size() > 1) break;
             rows[0].push_back(columns[at].head());
             for (std::size_t r = 0; r < methods.size(); ++r) rows[r + 1].push_back(columns[at].entries[r]);
         }
-        text += fmt::format("{}{}", text.empty() ? "" : "\n", alignColumns(rows));
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", alignColumns(rows, std::string::npos));
     }
     return text;
 }
@@ -195,7 +195,8 @@ std::string blocksOf(const std::vector<std::string>& methods, const std::vector<
 /// Where volumes may nest deeper than methods can count: a line for each warning, with the methods, chips and
 /// frames of which not all are meant. Of warnings that differ only in how deep, the deepest.
 std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<std::string>& methods,
-                       const std::vector<Column>& columns, const std::vector<int>& frames) {
+                       const std::vector<Column>& columns, const std::vector<int>& frames,
+                       std::size_t width) {
     struct Line {
         std::string text{};
         std::vector<std::string> methods{}, chips{};
@@ -237,7 +238,8 @@ std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<
         if (!line.chips.empty()) where.push_back(headsText(line.chips, columns));
         const std::string at = where.empty() ? "" : fmt::format(" ({})", fmt::join(where, "; "));
         text += fmt::format(
-            "  {}\n", wrapText(fmt::format("{}: {}{}", fmt::join(line.methods, ", "), line.text, at), 5));
+            "  {}\n",
+            wrapText(fmt::format("{}: {}{}", fmt::join(line.methods, ", "), line.text, at), 5, width));
     }
     return text.empty() ? text : "\nVolumes may nest too deep\n" + text;
 }
@@ -245,7 +247,7 @@ std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<
 /// What automatic methods draw: a line for each method and how sure it is, with the chips and frames of which
 /// not all are meant.
 std::string choicesOf(const std::vector<const Cell*>& cells, const std::vector<Column>& columns,
-                      const std::vector<int>& frames) {
+                      const std::vector<int>& frames, std::size_t width) {
     struct Line {
         std::string text{};
         std::vector<std::string> chips{};
@@ -271,13 +273,14 @@ std::string choicesOf(const std::vector<const Cell*>& cells, const std::vector<C
                 ? fmt::format("frame{} {}; ", line.frames.size() > 1 ? "s" : "", fmt::join(line.frames, " "))
                 : "";
         text += fmt::format(
-            "  {}\n", wrapText(fmt::format("{} ({}{})", line.text, when, headsText(line.chips, columns)), 5));
+            "  {}\n",
+            wrapText(fmt::format("{} ({}{})", line.text, when, headsText(line.chips, columns)), 5, width));
     }
     return text.empty() ? text : "\nMethods that were chosen\n" + text;
 }
 
 /// One table with its legend and causes; what is refused or failed goes into @p notes.
-std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
+std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes, const Page& page) {
     std::vector<std::string> profiles, methods;
     std::vector<int> frames;
     std::map<std::pair<std::string, std::string>, std::vector<const Cell*>> entries;
@@ -296,7 +299,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
         std::map<std::string, std::vector<std::string>> causesHere;  // cause -> chips
         for (std::size_t i = 0; i < profiles.size(); ++i) {
             const Entry entry = merge(entries[{method, profiles[i]}]);
-            columns[i].entries.push_back(cellText(entry, profiles[i], notes));
+            columns[i].entries.push_back(cellText(entry, profiles[i], notes, page.colours));
             for (const auto& [cause, pixels] : entry.causes)
                 causesHere[fmt::format("{}: {}", cause, pixels)].push_back(profiles[i]);
         }
@@ -305,27 +308,30 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes) {
     }
     const std::vector<Column> groups = folded(columns);
 
-    std::string text = fmt::format("{}, {}x{}, frame{} {}{}{}\n\n", cells[0]->scene, cells[0]->width,
+    std::string text = fmt::format("{}, {}x{}, frame{} {}{}{}", cells[0]->scene, cells[0]->width,
                                    cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "),
                                    cells[0]->fidelity == "chip" ? ", with the chips' own arithmetic" : "",
                                    deviceText(cells[0]->device));
-    text += blocksOf(methods, groups);
+    text = wrapText(text, 2, page.width) + "\n\n";
+    text += blocksOf(methods, groups, page.width);
     std::string legend;
     for (const Column& group : groups)
         if (group.chips.size() > 1)
             legend += fmt::format(
-                "  {}\n", wrapText(fmt::format("{}: {}", group.head(), fmt::join(group.chips, " ")), 5));
+                "  {}\n",
+                wrapText(fmt::format("{}: {}", group.head(), fmt::join(group.chips, " ")), 5, page.width));
     if (!legend.empty()) text += "\nChips that are alike in every row\n" + legend;
     if (!causes.empty()) text += "\nWrong pixels by cause\n";
     for (const auto& [cause, where] : causes)
-        text += fmt::format("  {}\n", wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5));
-    text += choicesOf(cells, groups, frames);
-    text += warningsOf(cells, methods, groups, frames);
+        text += fmt::format("  {}\n",
+                            wrapText(fmt::format("{} ({})", cause, headsText(where, groups)), 5, page.width));
+    text += choicesOf(cells, groups, frames, page.width);
+    text += warningsOf(cells, methods, groups, frames, page.width);
     return text;
 }
 
 /// Whether masks are as predicted; where not, which.
-std::string predictionText(const std::vector<Cell>& cells) {
+std::string predictionText(const std::vector<Cell>& cells, std::size_t width) {
     int drawn = 0, unpredicted = 0;
     std::vector<std::string> where;
     for (const Cell& cell : cells) {
@@ -343,13 +349,13 @@ std::string predictionText(const std::vector<Cell>& cells) {
                fmt::format("UNPREDICTED: {} untied pixels hold what exact arithmetic does not allow, in {} "
                            "of {} masks: {}{}",
                            unpredicted, all, drawn, fmt::join(where, ", "), all > kMost ? ", ..." : ""),
-               2) +
+               2, width) +
            "\n\n";
 }
 
 }  // namespace
 
-std::string matrixText(const std::vector<Cell>& cells) {
+std::string matrixText(const std::vector<Cell>& cells, const Page& page) {
     std::vector<std::tuple<std::string, int, int, std::string>> keys;
     std::map<std::tuple<std::string, int, int, std::string>, std::vector<const Cell*>> tables;
     std::vector<std::string> profiles;
@@ -361,17 +367,19 @@ std::string matrixText(const std::vector<Cell>& cells) {
     }
     std::string text;
     Notes notes;
-    for (const auto& key : keys) text += tableOf(tables[key], notes) + "\n";
-    const std::string noteText = notes.text(profiles);
+    for (const auto& key : keys) text += tableOf(tables[key], notes, page) + "\n";
+    const std::string noteText = notes.text(profiles, page.width);
     if (!noteText.empty()) text += fmt::format("Notes: refused for want of\n{}\n", noteText);
-    text += predictionText(cells);
-    text +=
-        "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all frames, at "
-        "the\n"
-        "boundary of shadows or away from it; 2/3: scene passes / full-window rectangles; *: the path that "
-        "gnomon\n"
-        "takes on this chip; -: refused.\n";
-    return text;
+    text += predictionText(cells, page.width);
+    return text +
+           wrapText(
+               "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all "
+               "frames, "
+               "at the boundary of shadows or away from it; 2/3: scene passes / full-window rectangles; *: "
+               "the "
+               "path that gnomon takes on this chip; -: refused.",
+               0, page.width) +
+           "\n";
 }
 
 std::string matrixJson(const std::vector<Cell>& cells) {
@@ -382,22 +390,76 @@ std::string matrixJson(const std::vector<Cell>& cells) {
 }
 
 std::string matrixCsv(const std::vector<Cell>& cells) {
-    std::string text =
-        csvLine({"cell",           "profile",     "method",         "scene",           "store",
-                 "arithmetic",     "levels",      "count",          "silhouette",      "mask_scale",
-                 "apply",          "shade",       "width",          "height",          "frame",
-                 "lights",         "fidelity",    "device",         "verdict",         "chosen",
-                 "missing",        "causes",      "passes_scene",   "passes_volume",   "passes_rectangle",
-                 "passes_copy",    "pixels",      "tied_truth",     "tied_count",      "wrong_edge",
-                 "wrong_interior", "unpredicted", "nesting_fronts", "nesting_overlap", "nesting_levels",
-                 "warnings",       "effects",     "drawn_by",       "proof",           "touched_pixels",
-                 "vertices",       "clock",       "cpu_ms",         "unshadowed_ms",   "digest",
-                 "error"});
+    std::string text = csvLine({"cell",
+                                "profile",
+                                "method",
+                                "scene",
+                                "store",
+                                "arithmetic",
+                                "levels",
+                                "count",
+                                "silhouette",
+                                "mask_scale",
+                                "apply",
+                                "shade",
+                                "width",
+                                "height",
+                                "frame",
+                                "lights",
+                                "fidelity",
+                                "device",
+                                "verdict",
+                                "chosen",
+                                "missing",
+                                "causes",
+                                "passes_scene",
+                                "passes_volume",
+                                "passes_rectangle",
+                                "passes_copy",
+                                "pixels",
+                                "tied_truth",
+                                "tied_count",
+                                "wrong_edge",
+                                "wrong_interior",
+                                "unpredicted",
+                                "nesting_fronts",
+                                "nesting_overlap",
+                                "nesting_levels",
+                                "warnings",
+                                "effects",
+                                "drawn_by",
+                                "proof",
+                                "touched_pixels",
+                                "vertices",
+                                "clock",
+                                "cpu_ms",
+                                "unshadowed_ms",
+                                "digest",
+                                "error",
+                                "missing_sources",
+                                "touched_clear",
+                                "touched_scene",
+                                "touched_volume",
+                                "touched_rectangle",
+                                "touched_copy",
+                                "start",
+                                "overflow",
+                                "caps",
+                                "clip",
+                                "offset",
+                                "map_size",
+                                "map_bias",
+                                "dither",
+                                "blend_unit",
+                                "view"});
     for (const Cell& c : cells) {
-        std::vector<std::string> missing, causes;
+        std::vector<std::string> missing, sources, causes, view;
         for (const Missing& m : c.missing) missing.push_back(m.what);
+        for (const Missing& m : c.missing) sources.push_back(fmt::format("{}: {}", m.key, m.source));
+        for (const auto& [flag, value] : c.view) view.push_back(fmt::format("--{} {}", flag, value));
         for (const auto& [cause, pixels] : c.causes) causes.push_back(fmt::format("{} {}", cause, pixels));
         const auto number = [](auto value) { return fmt::format("{}", value); };
+        const bool isMap = c.axes.store == Store::DepthMap;
         text += csvLine({c.id(),
                          c.profile,
                          c.method,
@@ -443,7 +505,23 @@ std::string matrixCsv(const std::vector<Cell>& cells) {
                          fmt::format("{:.3f}", c.cpuMs),
                          fmt::format("{:.3f}", c.unshadowedMs),
                          c.digest,
-                         c.error});
+                         c.error,
+                         fmt::format("{}", fmt::join(sources, "; ")),
+                         number(c.touched.clear),
+                         number(c.touched.scene),
+                         number(c.touched.volume),
+                         number(c.touched.rectangle),
+                         number(c.touched.copy),
+                         name(c.axes.start),
+                         name(c.axes.overflow),
+                         name(c.axes.capFaces),
+                         name(c.axes.clip),
+                         number(c.axes.offset),
+                         isMap ? number(c.axes.mapSize) : "",
+                         isMap ? number(c.axes.mapBias) : "",
+                         c.dithers ? "on" : "off",
+                         c.blendUnit,
+                         fmt::format("{}", fmt::join(view, " "))});
     }
     return text;
 }

@@ -69,7 +69,7 @@ std::string ratio(std::size_t over, std::size_t under) {
     return under == 0 ? "-" : fmt::format("{:.3f}", double(over) / double(under));
 }
 
-std::string topologyText(const MeshFacts& mesh) {
+std::string topologyText(const MeshFacts& mesh, std::size_t width) {
     std::vector<const Topology*> columns{&mesh.file};
     std::vector<std::vector<std::string>> rows{{"all casters as one mesh", "file"}};
     const auto addColumn = [&](const std::string& head, const Topology& topology) {
@@ -103,7 +103,7 @@ std::string topologyText(const MeshFacts& mesh) {
     addNumber("connected pieces", [](const Topology& t) { return t.components; });
     addNumber("Euler characteristic", [](const Topology& t) { return t.euler(); });
 
-    std::string text = alignColumns(rows);
+    std::string text = alignColumns(rows, width);
     const auto example = [&](const char* what, const std::optional<Edge>& edge) {
         if (edge) text += fmt::format("{}: for example {}\n", what, wordsOf(*edge));
     };
@@ -134,7 +134,7 @@ std::string differenceText(const MeshFacts& mesh) {
     return text;
 }
 
-std::string objectsText(const MeshFacts& mesh) {
+std::string objectsText(const MeshFacts& mesh, std::size_t width) {
     if (mesh.objects.size() < 2) return {};
     std::vector<std::vector<std::string>> rows{{"object", "name", "triangles", "boundary", "non-manifold",
                                                 "conflicts", "not cancelling", "pieces", "kind"}};
@@ -146,7 +146,7 @@ std::string objectsText(const MeshFacts& mesh) {
                         fmt::format("{}", t.windingConflicts), fmt::format("{}", t.unbalancedEdges),
                         fmt::format("{}", t.components), describe(t)});
     }
-    std::string text = fmt::format("\n{}", alignColumns(rows));
+    std::string text = fmt::format("\n{}", alignColumns(rows, width));
     if (mesh.objects.size() > kShownObjects)
         text +=
             fmt::format("... {} more objects (--format json has all)\n", mesh.objects.size() - kShownObjects);
@@ -157,19 +157,20 @@ std::string verdictOf(const BuilderFacts& builder) {
     return builder.refusal ? "refused" : builder.limitation ? "may be wrong" : "right";
 }
 
-std::string buildersText(const MeshFacts& mesh) {
+std::string buildersText(const MeshFacts& mesh, std::size_t width) {
     constexpr std::size_t kIndent = 29;
     std::string text = "\nsilhouette    this mesh\n------------  ------------\n";
     for (const BuilderFacts& builder : mesh.builders) {
         const std::string why = builder.refusal.value_or(builder.limitation.value_or(""));
         text += fmt::format("{:<14}{}", name(builder.silhouette), verdictOf(builder));
         if (!why.empty())
-            text += std::string(kIndent - 14 - verdictOf(builder).size(), ' ') + wrapText(why, kIndent);
+            text +=
+                std::string(kIndent - 14 - verdictOf(builder).size(), ' ') + wrapText(why, kIndent, width);
         text += "\n";
     }
     if (mesh.awayRefusal)
         text += fmt::format("{:<14}{:<15}{}\n", "caps turned", "refused",
-                            wrapText("away from the light: " + *mesh.awayRefusal, kIndent));
+                            wrapText("away from the light: " + *mesh.awayRefusal, kIndent, width));
     return text;
 }
 
@@ -191,9 +192,9 @@ std::string wordsOf(const CountSpread& s) {
                              : fmt::format("{} / {} / {}", s.least, s.median, s.most);
 }
 
-std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
+std::string lightsText(const MeshFacts& mesh, const LightSet& set, std::size_t width) {
     const std::string title = fmt::format("Volumes of each light (least / median / most): {}", set.title);
-    std::string text = fmt::format("\n{}\n\n", wrapText(title, 0));
+    std::string text = fmt::format("\n{}\n\n", wrapText(title, 0, width));
     std::vector<std::vector<std::string>> rows{{"silhouette", "edges", "sides", "polygons", "triangles"}};
     for (const BuilderFacts& builder : mesh.builders) {
         rows.push_back({name(builder.silhouette)});
@@ -204,34 +205,35 @@ std::string lightsText(const MeshFacts& mesh, const LightSet& set) {
         for (const auto of : {edgesOf, sidesOf, polygonsOf, trianglesOf})
             rows.back().push_back(wordsOf(spread(set, builder.silhouette, of)));
     }
-    text += alignColumns(rows);
+    text += alignColumns(rows, width);
     const auto sums = [&](auto of) {
         const std::size_t each = spread(set, Silhouette::PerTriangle, of).sum;
         const std::size_t winding = spread(set, Silhouette::Winding, of).sum;
         return fmt::format("{} = {} / {}", ratio(each, winding), each, winding);
     };
-    text += fmt::format("per-triangle / winding, of all lights: polygons {}; sides alone {}\n",
-                        sums(polygonsOf), sums(sidesOf));
+    const std::string all = fmt::format("per-triangle / winding, of all lights: polygons {}; sides alone {}",
+                                        sums(polygonsOf), sums(sidesOf));
+    text += fmt::format("{}\n", wrapText(all, 2, width));
     return text;
 }
 
-std::string legend() {
+std::string legend(std::size_t width) {
     const std::string text = fmt::format(
         "A side is a quad that hangs from an edge, as often as its weight; polygons are sides, "
         "light caps and far caps. Published, of a level with 262 lights: {} = {} / {} ({}); only "
         "the ratio compares.",
         ratio(kPublishedPerTriangle, kPublishedWinding), kPublishedPerTriangle, kPublishedWinding,
         kPublishedSource);
-    return fmt::format("\n{}\n", wrapText(text, 0));
+    return fmt::format("\n{}\n", wrapText(text, 0, width));
 }
 
-std::string meshText(const MeshFacts& mesh) {
+std::string meshText(const MeshFacts& mesh, std::size_t width) {
     std::string text = fmt::format("{}: {}\n\n", mesh.id, describe(mesh.file));
-    text += topologyText(mesh);
+    text += topologyText(mesh, width);
     text += differenceText(mesh);
-    text += objectsText(mesh);
-    text += buildersText(mesh);
-    for (const LightSet& set : mesh.lightSets) text += lightsText(mesh, set);
+    text += objectsText(mesh, width);
+    text += buildersText(mesh, width);
+    for (const LightSet& set : mesh.lightSets) text += lightsText(mesh, set, width);
     return text;
 }
 
@@ -354,19 +356,19 @@ std::string meshesCsv(const std::vector<MeshFacts>& meshes) {
 
 }  // namespace
 
-std::string showMeshes(const std::vector<MeshFacts>& meshes, Format format) {
-    if (format == Format::Csv) return meshesCsv(meshes);
-    if (format == Format::Json) {
+std::string showMeshes(const std::vector<MeshFacts>& meshes, const Page& page) {
+    if (page.format == Format::Csv) return meshesCsv(meshes);
+    if (page.format == Format::Json) {
         Json all = Json::array();
         for (const MeshFacts& mesh : meshes) all.push_back(meshJson(mesh));
         return all.dump(2) + "\n";
     }
     std::string text;
     for (const MeshFacts& mesh : meshes)
-        text += fmt::format("{}{}", text.empty() ? "" : "\n", meshText(mesh));
+        text += fmt::format("{}{}", text.empty() ? "" : "\n", meshText(mesh, page.width));
     const bool hasVolumes = std::any_of(meshes.begin(), meshes.end(),
                                         [](const MeshFacts& mesh) { return !mesh.lightSets.empty(); });
-    return hasVolumes ? text + legend() : text;
+    return hasVolumes ? text + legend(page.width) : text;
 }
 
 }  // namespace gnomon

@@ -123,14 +123,16 @@ std::string lightText(const EffectNote& note, bool severalLights) {
 
 /// The effects of which @p wanted is true, one per line under a head.
 template <class Wanted>
-std::string sectionText(const char* head, const std::vector<EffectNote>& effects, const Wanted& wanted) {
+std::string sectionText(const char* head, const std::vector<EffectNote>& effects, std::size_t width,
+                        const Wanted& wanted) {
     const bool severalLights =
         std::any_of(effects.begin(), effects.end(), [](const EffectNote& note) { return note.light > 0; });
     std::string text;
     for (const EffectNote& note : effects)
         if (wanted(note))
-            text += fmt::format("  {:<11}{}\n", name(note.effect),
-                                wrapText(fmt::format("{}{}", lightText(note, severalLights), note.fact), 13));
+            text += fmt::format(
+                "  {:<11}{}\n", name(note.effect),
+                wrapText(fmt::format("{}{}", lightText(note, severalLights), note.fact), 13, width));
     return text.empty() ? text : fmt::format("\n{}\n{}", head, text);
 }
 
@@ -162,20 +164,20 @@ std::string reasonFor(const Plan& plan, std::size_t index, const std::vector<Eff
     return {};
 }
 
-std::string effectsText(const std::vector<EffectNote>& effects) {
+std::string effectsText(const std::vector<EffectNote>& effects, std::size_t width) {
     std::string text;
-    text += sectionText("Left out", effects, [](const EffectNote& n) { return !n.isDrawn; });
-    text += sectionText("Called for by the frame", effects,
+    text += sectionText("Left out", effects, width, [](const EffectNote& n) { return !n.isDrawn; });
+    text += sectionText("Called for by the frame", effects, width,
                         [](const EffectNote& n) { return n.isDrawn && !n.isAsked; });
-    text += sectionText("Kept though nothing calls for it, as --effects says", effects,
+    text += sectionText("Kept though nothing calls for it, as --effects says", effects, width,
                         [](const EffectNote& n) { return n.isDrawn && n.isAsked; });
     return text;
 }
 
-std::string notesText(const Plan& plan, const PlanNotes& notes) {
+std::string notesText(const Plan& plan, const PlanNotes& notes, std::size_t width) {
     std::string text;
     if (!notes.drawnAs.empty()) text += fmt::format("\nDrawn as {}\n", notes.drawnAs);
-    text += effectsText(notes.effects);
+    text += effectsText(notes.effects, width);
 
     const PassCounts mine = countPasses(plan), full = countPasses(notes.full);
     const DrawnAmount amount = sumOf(notes.amounts);
@@ -196,8 +198,8 @@ std::string notesText(const Plan& plan, const PlanNotes& notes) {
     row("  of volumes", p.volume, q.volume);
     row("  of rectangles", p.rectangle, q.rectangle);
     row("  of copies", p.copy, q.copy);
-    text += fmt::format("\n{}", alignColumns(rows));
-    if (notes.cost) text += fmt::format("\n{}", costText(*notes.cost));
+    text += fmt::format("\n{}", alignColumns(rows, width));
+    if (notes.cost) text += fmt::format("\n{}", costText(*notes.cost, width));
     return text;
 }
 

@@ -9,6 +9,7 @@
 #include "needs/minimal_plan.h"
 #include "plan/plan.h"
 #include "report/cost_notes.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -38,10 +39,10 @@ std::string ratioText(std::int64_t part, std::int64_t whole);
 
 /// For people: the effects that a plan leaves out, has since the frame calls for them, and has since they
 /// were asked for; each with its fact, under heads.
-std::string effectsText(const std::vector<EffectNote>& effects);
+std::string effectsText(const std::vector<EffectNote>& effects, std::size_t width = kPageColumns);
 
 /// For people, beneath the passes of @p plan: what is left out and why, what was asked for, passes, vertices
 /// and touched pixels of the minimal and the full plan side by side, and what the model makes of them.
-std::string notesText(const Plan& plan, const PlanNotes& notes);
+std::string notesText(const Plan& plan, const PlanNotes& notes, std::size_t width = kPageColumns);
 
 }  // namespace gnomon

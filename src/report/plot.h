@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,15 @@ struct PlotSeries {
     bool joined = false;   ///< by a line, in their order
     bool stepped = false;  ///< by a grey line that goes right first and then down, as a frontier does
     bool symbols = true;
+    /// Which colour and symbol; series that say nothing take those of their place.
+    std::optional<std::size_t> look{};
 };
 
 struct PlotAxis {
     std::string title{};
     bool logarithmic = false;  ///< its values are positive; 0 stands at the axis' foot, marked as 0
     std::string foot = "0";    ///< what is written there
+    bool isWhole = false;      ///< linear: counted in whole numbers, no tick between two
     /// Points at 0 stand in a strip, each series on a line of its own, so that many have room: for the upward
     /// axis only.
     bool spreadsFoot = false;

@@ -38,11 +38,11 @@ void addSteps(PlotScale& scale, double step) {
         scale.ticks.push_back({double(i) * step, tickText(double(i) * step, step)});
 }
 
-PlotScale linearScale(double low, double high, int ticks) {
+PlotScale linearScale(double low, double high, int ticks, bool isWhole) {
     if (low == high) low -= low == 0 ? 0 : 0.1 * std::abs(low), high += high == 0 ? 1 : 0.1 * std::abs(high);
     // Where 0 is not far, lengths are honest from there.
     if (low > 0 && low <= high / 2) low = 0;
-    const double step = roundStep(high - low, ticks);
+    const double step = std::max(roundStep(high - low, ticks), isWhole ? 1.0 : 0.0);
     PlotScale scale{.low = std::floor(low / step + 1e-6) * step,
                     .high = std::ceil(high / step - 1e-6) * step};
     addSteps(scale, step);
@@ -93,11 +93,12 @@ double PlotScale::at(double value) const {
     return start + (1 - start) * std::log(value / low) / std::log(high / low);
 }
 
-PlotScale plotScale(const std::vector<double>& values, bool logarithmic, int ticks, const std::string& foot) {
+PlotScale plotScale(const std::vector<double>& values, bool logarithmic, int ticks, const std::string& foot,
+                    bool isWhole) {
     if (logarithmic) return logScale(values, ticks, foot);
-    if (values.empty()) return linearScale(0, 1, ticks);
+    if (values.empty()) return linearScale(0, 1, ticks, isWhole);
     const auto [low, high] = std::minmax_element(values.begin(), values.end());
-    return linearScale(*low, *high, ticks);
+    return linearScale(*low, *high, ticks, isWhole);
 }
 
 }  // namespace gnomon

@@ -23,9 +23,10 @@ struct PlotScale {
 };
 
 /// An axis on which @p values have room, with round ticks, about @p ticks of them with a number.
-/// @param foot  the text of the tick at 0
+/// @param foot     the text of the tick at 0
+/// @param isWhole  no tick between two whole numbers, if it is linear
 /// @pre values are finite; logarithmic: not negative
 PlotScale plotScale(const std::vector<double>& values, bool logarithmic, int ticks = 7,
-                    const std::string& foot = "0");
+                    const std::string& foot = "0", bool isWhole = false);
 
 }  // namespace gnomon

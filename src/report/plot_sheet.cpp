@@ -81,6 +81,7 @@ class Sheet {
     /// Steps are grey: they belong to all series, and take no colour from them.
     PlotLook lookOfSeries(std::size_t index) const {
         if (m_plot.series[index].stepped) return {kStep, PlotSymbol::Circle};
+        if (m_plot.series[index].look) return plotLook(*m_plot.series[index].look);
         std::size_t before = 0;
         for (std::size_t i = 0; i < index; ++i) before += !m_plot.series[i].stepped;
         return plotLook(before);
@@ -97,8 +98,8 @@ class Sheet {
                 add(xs, point.x, point.xLow, point.xHigh);
                 add(ys, point.y, point.yLow, point.yHigh);
             }
-        m_x = plotScale(xs, m_plot.x.logarithmic, 9, m_plot.x.foot);
-        m_y = plotScale(ys, m_plot.y.logarithmic, 7, m_plot.y.foot);
+        m_x = plotScale(xs, m_plot.x.logarithmic, 9, m_plot.x.foot, m_plot.x.isWhole);
+        m_y = plotScale(ys, m_plot.y.logarithmic, 7, m_plot.y.foot, m_plot.y.isWhole);
         if (m_y.hasFoot && m_plot.y.spreadsFoot) makeLanes();
     }
 

@@ -183,7 +183,7 @@ std::string levelsInWords(const Rows& rows) {
 
 /// What one mode of dithering gives: a line for all orders, and for double one per width with its levels in
 /// the first order.
-std::string modeInWords(const std::string& mode, const Rows& rows) {
+std::string modeInWords(const std::string& mode, const Rows& rows, std::size_t width) {
     std::vector<std::string> parts;
     Rows first;
     std::map<int, Rows> levelsOfBits;
@@ -205,19 +205,19 @@ std::string modeInWords(const std::string& mode, const Rows& rows) {
     std::string text = "  " +
                        wrapText(fmt::format("{}{}{}; {}", head, head.empty() ? "" : ": ",
                                             fmt::join(parts, "; "), driftInWords(first)),
-                                6) +
+                                6, width) +
                        "\n";
     for (const auto& [bits, ofBits] : levelsOfBits)
         text += "    " +
                 wrapText(fmt::format("{} bits, {} by levels: {}", bits, name(first.front()->claim.order),
                                      levelsInWords(ofBits)),
-                         8) +
+                         8, width) +
                 "\n";
     return text;
 }
 
 /// One paragraph per chip, store, arithmetic and means: without dithering, and with the driver's default.
-std::string inWords(const std::vector<ProofRow>& rows) {
+std::string inWords(const std::vector<ProofRow>& rows, std::size_t width) {
     std::vector<std::pair<std::string, Rows>> groups;
     for (const ProofRow& r : rows) {
         if (!r.proof) continue;
@@ -247,12 +247,13 @@ std::string inWords(const std::vector<ProofRow>& rows) {
         }
         text += about + "\n";
         if (off.empty() && byDefault.empty())
-            text += modeInWords(fmt::format("dither {}", name(all.front()->claim.channel.dither)), all);
-        if (!off.empty()) text += modeInWords(byDefault.empty() ? "" : "dither off", off);
+            text +=
+                modeInWords(fmt::format("dither {}", name(all.front()->claim.channel.dither)), all, width);
+        if (!off.empty()) text += modeInWords(byDefault.empty() ? "" : "dither off", off, width);
         if (!byDefault.empty())
             text += modeInWords(
                 fmt::format("dither {}, the driver's default", name(byDefault.front()->claim.channel.dither)),
-                byDefault);
+                byDefault, width);
     }
     return text;
 }
@@ -321,13 +322,13 @@ std::string verdictOf(const ProofRow& row) {
     return text;
 }
 
-std::string showProofs(const std::vector<ProofRow>& rows, Format format) {
-    if (format == Format::Json) {
+std::string showProofs(const std::vector<ProofRow>& rows, const Page& page) {
+    if (page.format == Format::Json) {
         Json all = Json::array();
         for (const ProofRow& row : rows) all.push_back(jsonOf(row));
         return all.dump(2) + "\n";
     }
-    if (format == Format::Csv) {
+    if (page.format == Format::Csv) {
         std::vector<std::string> head = kHead;
         head.insert(head.end(), {"refused", "source"});
         std::string text = csvLine(head);
@@ -355,7 +356,7 @@ std::string showProofs(const std::vector<ProofRow>& rows, Format format) {
             const std::string line =
                 wrapText(fmt::format("{} {} {}: refused, the chip lacks {} [{}]", r.profile, r.store,
                                      name(r.claim.arithmetic), r.refused, r.source),
-                         2) +
+                         2, page.width) +
                 "\n";
             // Every order is refused alike.
             if (refusals.find(line) == std::string::npos) refusals += line;
@@ -367,32 +368,40 @@ std::string showProofs(const std::vector<ProofRow>& rows, Format format) {
         cells.push_back(wrong ? shortened(wrong->codes) : "");
         table.push_back(cells);
     }
-    std::string text = inWords(rows);
-    if (table.size() > 1)
-        text +=
-            "\nexact: right for any number of volumes; up to N open: with no more of them open at a time; up "
-            "to N\n"
+    std::string text = inWords(rows, page.width);
+    if (table.size() > 1) {
+        const auto paragraph = [&](const char* words) {
+            return fmt::format("{}\n", wrapText(words, 2, page.width));
+        };
+        text += "\n";
+        text += paragraph(
+            "exact: right for any number of volumes; up to N open: with no more of them open at a time; up "
+            "to N "
             "in all: with no more of them on a ray; exact modulo N: in any order, but where a multiple of N "
-            "are\n"
+            "are "
             "open. double is from the best start, and by levels from 2^-levels. The figures, of the best "
-            "starts:\n\n" +
-            alignColumns(table) +
-            "\nEvery pixel is right with up to \"depth\" volumes open at one time, however many there are;\n"
-            "and with up to \"volumes\" on its ray, however they overlap. period: the code depends on the "
-            "open\n"
-            "volumes alone, in any order, and so many make the start again. Codes are those of the channel.\n"
-            "by: add_wrap are sums that keep their low bits, logic_op is the operation Invert; blend "
-            "clamps.\n"
-            "order: volume is one convex volume after the other, fronts, then backs; fronts-first is all "
-            "fronts,\n"
-            "then all backs; per-triangle is any order; nearer-only is zfail where no farther fragment "
-            "passes.\n"
-            "start, half, shadow: the best choice of the mask's first code, of the constant for 1/2, of a "
-            "threshold.\n"
-            "D is a front face, H a back face of a volume. shadow: the codes that are taken for shadow.\n"
-            "light, darkness: what normalisation by blending leaves of light in a shadow and of darkness\n"
-            "outside; where it is much, the mask needs a test of its value, or a table, instead.\n"
-            "drift_N: a lit pixel's code after N volumes one after the other, less the start.\n";
+            "starts:");
+        text += fmt::format("\n{}\n", alignColumns(table, page.width));
+        for (const char* words :
+             {"Every pixel is right with up to \"depth\" volumes open at one time, however many there are; "
+              "and "
+              "with up to \"volumes\" on its ray, however they overlap.",
+              "period: the code depends on the open volumes alone, in any order, and so many make the start "
+              "again. Codes are those of the channel.",
+              "by: add_wrap are sums that keep their low bits, logic_op is the operation Invert; blend "
+              "clamps.",
+              "order: volume is one convex volume after the other, fronts, then backs; fronts-first is all "
+              "fronts, then all backs; per-triangle is any order; nearer-only is zfail where no farther "
+              "fragment "
+              "passes.",
+              "start, half, shadow: the best choice of the mask's first code, of the constant for 1/2, of a "
+              "threshold. D is a front face, H a back face of a volume. shadow: the codes that are taken for "
+              "shadow.",
+              "light, darkness: what normalisation by blending leaves of light in a shadow and of darkness "
+              "outside; where it is much, the mask needs a test of its value, or a table, instead.",
+              "drift_N: a lit pixel's code after N volumes one after the other, less the start."})
+            text += paragraph(words);
+    }
     return refusals.empty() ? text : text + (text.empty() ? "" : "\n") + refusals;
 }
 

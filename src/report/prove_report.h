@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "profile/prove.h"
-#include "report/listings.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -25,6 +25,6 @@ std::string verdictOf(const ProofRow& row);
 
 /// As text: what holds in words, a paragraph for each chip, store and arithmetic; then the figures of the
 /// best starts, a legend, and what is refused. As JSON and CSV: one row per proof.
-std::string showProofs(const std::vector<ProofRow>& rows, Format format);
+std::string showProofs(const std::vector<ProofRow>& rows, const Page& page);
 
 }  // namespace gnomon

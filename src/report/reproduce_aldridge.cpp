@@ -82,8 +82,8 @@ std::vector<AldridgeRow> aldridgeSection4() {
              .publishedPolygons = 4'440'000}};
 }
 
-std::string showAldridge(const AldridgeRun& run, Format format) {
-    if (format == Format::Json) return jsonOf(run);
+std::string showAldridge(const AldridgeRun& run, const Page& page) {
+    if (page.format == Format::Json) return jsonOf(run);
     std::vector<std::vector<std::string>> table{
         {"builder", "edges published", "here", "polygons published", "here", "fps", "frame here, ms"}};
     for (const AldridgeRow& row : run.rows)
@@ -94,14 +94,14 @@ std::string showAldridge(const AldridgeRun& run, Format format) {
     for (const Compared& c : compared(run))
         multiples.push_back({c.what, fmt::format("{:.2f}", c.published),
                              c.spread ? spreadText(*c.spread) : fmt::format("{:.2f}", c.ours)});
-    if (format == Format::Csv) {
+    if (page.format == Format::Csv) {
         std::string text;
         for (const auto& row : table) text += csvLine(row);
         return text;
     }
     return fmt::format("Aldridge and Woods, section 4, beside {} ({} triangles) at {}x{}\non {}\n\n",
                        run.scene, run.triangles, run.width, run.height, run.device) +
-           alignColumns(table) + "\n" + alignColumns(multiples) + "\n" +
+           alignColumns(table, page.width) + "\n" + alignColumns(multiples, page.width) + "\n" +
            fmt::format("Edges of three triangles or more: published {}, here {}, up to {} at one edge.\n",
                        kPublishedCrowdedEdges, run.crowdedEdges, run.mostAtAnEdge) +
            wrapText(
@@ -109,13 +109,13 @@ std::string showAldridge(const AldridgeRun& run, Format format) {
                            "frame's time: volumes of {} of them built and drawn by z-fail in turn, median "
                            "(quartiles) of {} rounds.",
                            kPublishedLights, run.lights, run.where, run.timedLights, run.repeats),
-               0) +
+               0, page.width) +
            "\n" +
            wrapText(
                "Comparable: brute force as a multiple of the counter. Not comparable: frame rates (a "
                "Radeon 9500), and the numbers themselves: the paper's lights have ranges, which leave "
                "most of its level out of each volume.",
-               0) +
+               0, page.width) +
            "\n";
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cost/spread.h"
-#include "report/listings.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -37,6 +37,6 @@ struct AldridgeRun {
 /// The published figures, without ours.
 std::vector<AldridgeRow> aldridgeSection4();
 
-std::string showAldridge(const AldridgeRun& run, Format format);
+std::string showAldridge(const AldridgeRun& run, const Page& page);
 
 }  // namespace gnomon

@@ -31,14 +31,32 @@ std::string jsonOf(const KolivandRun& run) {
     return Json::array({all}).dump(2) + "\n";
 }
 
-std::string claimsOf(const KolivandRun& run) {
+std::string csvOf(const KolivandRun& run) {
+    std::string text =
+        csvLine({"status", "method", "silhouette", "published_fps", "published_share", "share", "share_low",
+                 "share_high", "build_ms", "frame_ms", "frame_ms_low", "frame_ms_high"});
+    for (const KolivandRow& row : run.rows) {
+        std::vector<std::string> fields{row.status, row.method, name(row.axes.silhouette)};
+        const Spread build = spreadOf(row.buildMs), frame = spreadOf(row.totalMs);
+        for (const double value :
+             {row.published, row.published / run.rows.front().published, row.share.median, row.share.low,
+              row.share.high, build.median, frame.median, frame.low, frame.high})
+            fields.push_back(fmt::format("{}", value));
+        text += csvLine(fields);
+    }
+    return text;
+}
+
+std::string claimsOf(const KolivandRun& run, std::size_t width) {
     const auto& rows = run.rows;
     const auto ratio = [&](std::size_t part, std::size_t whole) {
         return spreadOf(ratios(rows[whole].totalMs, rows[part].totalMs));
     };
-    const auto line = [](const std::string& claim, double published, const Spread& ours, bool holds) {
-        return fmt::format("- {}: {}; published {:.3f}, here {}\n", claim,
-                           holds ? "confirmed" : "not confirmed", published, spreadText(ours));
+    const auto line = [&](const std::string& claim, double published, const Spread& ours, bool holds) {
+        const std::string text =
+            fmt::format("- {}: {}; published {:.3f}, here {}", claim, holds ? "confirmed" : "not confirmed",
+                        published, spreadText(ours));
+        return fmt::format("{}\n", wrapText(text, 2, width));
     };
     // Within the spread and 5 percent, "as fast" is as fast.
     const Spread visible = ratio(2, 1), map = ratio(3, 1);
@@ -73,8 +91,9 @@ void compareRates(std::vector<KolivandRow>& rows) {
     for (KolivandRow& row : rows) row.share = spreadOf(ratios(unshadowed, row.totalMs));
 }
 
-std::string showKolivand(const KolivandRun& run, Format format) {
-    if (format == Format::Json) return jsonOf(run);
+std::string showKolivand(const KolivandRun& run, const Page& page) {
+    if (page.format == Format::Json) return jsonOf(run);
+    if (page.format == Format::Csv) return csvOf(run);
     std::vector<std::vector<std::string>> table{
         {"status", "method", "published", "share", "share here", "build, ms", "frame, ms"}};
     for (const KolivandRow& row : run.rows)
@@ -82,15 +101,10 @@ std::string showKolivand(const KolivandRun& run, Format format) {
                          fmt::format("{:.3f}", row.published / run.rows.front().published),
                          spreadText(row.share), fmt::format("{:.3g}", spreadOf(row.buildMs).median),
                          fmt::format("{:.3g}", spreadOf(row.totalMs).median)});
-    if (format == Format::Csv) {
-        std::string text;
-        for (const auto& row : table) text += csvLine(row);
-        return text;
-    }
     return fmt::format(
                "Kolivand and Sunar 2011, Table 1, beside {} ({} triangles) at {}x{}, {} frames\non {}\n\n",
                run.scene, run.triangles, run.width, run.height, run.frames, run.device) +
-           alignColumns(table) + "\n" + claimsOf(run) +
+           alignColumns(table, page.width) + "\n" + claimsOf(run, page.width) +
            wrapText(
                "Published: frames per second. Share: of the frame rate without shadow, here the median "
                "(quartiles) "
@@ -99,7 +113,7 @@ std::string showKolivand(const KolivandRun& run, Format format) {
                "the shares. Not comparable: the rates themselves (a Pentium 4 of 2.8 GHz with an NVIDIA "
                "card), "
                "and the scene, which the paper does not give.",
-               0) +
+               0, page.width) +
            "\n";
 }
 

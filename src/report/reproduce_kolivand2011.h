@@ -5,7 +5,7 @@
 
 #include "cost/spread.h"
 #include "method/method.h"
-#include "report/listings.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -35,6 +35,6 @@ std::vector<KolivandRow> kolivandTable1();
 /// Fills in KolivandRow::share. @pre the first row is the one without shadow
 void compareRates(std::vector<KolivandRow>& rows);
 
-std::string showKolivand(const KolivandRun& run, Format format);
+std::string showKolivand(const KolivandRun& run, const Page& page);
 
 }  // namespace gnomon

@@ -50,21 +50,37 @@ nlohmann::ordered_json comparisonsJson(const std::vector<Comparison>& rows) {
 }
 
 std::string showRoettger2002(const std::optional<std::vector<Comparison>>& table1,
-                             const std::optional<Table2>& table2, Format format) {
-    if (format == Format::Json) {
+                             const std::optional<Table2>& table2, const Page& page) {
+    if (page.format == Format::Json) {
         nlohmann::ordered_json all = comparisonsJson(table1.value_or(std::vector<Comparison>{}));
         if (table2) all.push_back(table2Json(*table2));
         return all.dump(2) + "\n";
     }
-    assert(format == Format::Text || !table1 || !table2);
-    std::string text = table1 ? showComparisons(*table1, format) : "";
+    assert(page.format == Format::Text || !table1 || !table2);
+    std::string text = table1 ? showComparisons(*table1, page) : "";
     if (table1 && table2) text += "\n";
-    if (table2) text += format == Format::Csv ? table2Csv(*table2) : table2Text(*table2);
+    if (table2) text += page.format == Format::Csv ? table2Csv(*table2) : table2Text(*table2, page.width);
     return text;
 }
 
-std::string showComparisons(const std::vector<Comparison>& rows, Format format) {
-    if (format == Format::Json) return comparisonsJson(rows).dump(2) + "\n";
+static std::string comparisonsCsv(const std::vector<Comparison>& rows) {
+    std::string text =
+        csvLine({"buffer", "shade", "blend_equation", "method", "published_scene", "published_rectangle",
+                 "counted_scene", "counted_rectangle", "plan_scene", "plan_rectangle", "agrees"});
+    for (const Comparison& r : rows) {
+        std::vector<std::string> fields{r.buffer, r.shade, r.maximum ? "maximum" : "add", methodId(r.axes)};
+        for (const int passes : {r.publishedScene, r.publishedRectangles, r.counted.scene,
+                                 r.counted.rectangle, r.planned.scene, r.planned.rectangle})
+            fields.push_back(fmt::format("{}", passes));
+        fields.push_back(r.agrees() ? "1" : "0");
+        text += csvLine(fields);
+    }
+    return text;
+}
+
+std::string showComparisons(const std::vector<Comparison>& rows, const Page& page) {
+    if (page.format == Format::Json) return comparisonsJson(rows).dump(2) + "\n";
+    if (page.format == Format::Csv) return comparisonsCsv(rows);
     std::vector<std::vector<std::string>> table{
         {"buffer", "shade", "blend equation", "method", "published", "counted", "plan", ""}};
     for (const Comparison& r : rows)
@@ -73,14 +89,8 @@ std::string showComparisons(const std::vector<Comparison>& rows, Format format) 
                          fmt::format("{}/{}", r.counted.scene, r.counted.rectangle),
                          fmt::format("{}/{}", r.planned.scene, r.planned.rectangle),
                          r.agrees() ? "agrees" : "DIFFERS"});
-    if (format == Format::Csv) {
-        table[0].back() = "agrees";
-        std::string text;
-        for (const auto& row : table) text += csvLine(row);
-        return text;
-    }
     return "Roettger, Irion, Ertl 2002, Table 1: scene passes / rectangles over the window\n\n" +
-           alignColumns(table);
+           alignColumns(table, page.width);
 }
 
 }  // namespace gnomon

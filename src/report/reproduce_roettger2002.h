@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "matrix/cell.h"
-#include "report/listings.h"
+#include "report/page.h"
 #include "report/reproduce_roettger2002_table2.h"
 
 namespace gnomon {
@@ -26,13 +26,13 @@ struct Comparison {
 /// rectangles over the whole window.
 std::vector<Comparison> roettgerTable1();
 
-std::string showComparisons(const std::vector<Comparison>& rows, Format format);
+std::string showComparisons(const std::vector<Comparison>& rows, const Page& page);
 nlohmann::ordered_json comparisonsJson(const std::vector<Comparison>& rows);
 
 /// What `gnomon reproduce roettger2002` prints: one table or both. JSON is one array: the rows of Table 1,
 /// then Table 2 as one object.
 /// @pre CSV: one table
 std::string showRoettger2002(const std::optional<std::vector<Comparison>>& table1,
-                             const std::optional<Table2>& table2, Format format);
+                             const std::optional<Table2>& table2, const Page& page);
 
 }  // namespace gnomon

@@ -55,7 +55,8 @@ double modelFps(const Table2Cell& cell, const Table2Fit& fit) {
     return 1000 / modelMs(cell, fit.unknowns);
 }
 
-std::string fitsText(const std::vector<Table2Cell>& cells, const std::vector<Fitted>& all) {
+std::string fitsText(const std::vector<Table2Cell>& cells, const std::vector<Fitted>& all,
+                     std::size_t width) {
     std::vector<std::vector<std::string>> rows{{"fit", "host and chip", "free numbers", "volume fragments",
                                                 "host for shadows", "host per further scene", "rms",
                                                 "worst"}};
@@ -73,10 +74,10 @@ std::string fitsText(const std::vector<Table2Cell>& cells, const std::vector<Fit
                         fmt::format("{} ({} at {})", percent(fit.residuals[fit.worst]), name(worst.column),
                                     worst.size)});
     }
-    return alignColumns(rows);
+    return alignColumns(rows, width);
 }
 
-std::string cellsText(const Table2& table, const std::vector<Fitted>& all) {
+std::string cellsText(const Table2& table, const std::vector<Fitted>& all, std::size_t width) {
     std::vector<std::vector<std::string>> rows{{"window", "column", "method", "published"}};
     for (const Fitted& one : all) rows[0].push_back(one.variant.id);
     if (!table.measured.empty()) rows[0].push_back("this machine");
@@ -89,7 +90,7 @@ std::string cellsText(const Table2& table, const std::vector<Fitted>& all) {
                 fmt::format("{:.1f} ({})", modelFps(cell, one.fit), percent(one.fit.residuals[i])));
         if (!table.measured.empty()) rows.back().push_back(fmt::format("{:.2f}", table.measured[i]));
     }
-    return alignColumns(rows);
+    return alignColumns(rows, width, 3);
 }
 
 std::string claimOf(const OrderLine& line) {
@@ -101,23 +102,23 @@ std::string verdictOf(const OrderLine& line) {
     return line.isAsPublished() ? "as published" : "NOT as published";
 }
 
-std::string ordersText(const std::vector<Fitted>& all) {
+std::string ordersText(const std::vector<Fitted>& all, std::size_t width) {
     std::vector<std::vector<std::string>> rows{{"frame rates"}};
     for (const Fitted& one : all) rows[0].push_back(one.variant.id);
     for (std::size_t i = 0; i < all[0].orders.size(); ++i) {
         rows.push_back({claimOf(all[0].orders[i])});
         for (const Fitted& one : all) rows.back().push_back(verdictOf(one.orders[i]));
     }
-    return alignColumns(rows);
+    return alignColumns(rows, width);
 }
 
 /// Why, by the first fit, and by the last where it says otherwise.
-std::string reasonsText(const std::vector<Fitted>& all) {
+std::string reasonsText(const std::vector<Fitted>& all, std::size_t width) {
     std::string text;
     const auto line = [&](const Fitted& one, const OrderLine& order) {
         text += fmt::format("  {}\n", wrapText(fmt::format("{}: {} {}: {}", one.variant.id, claimOf(order),
                                                            verdictOf(order), order.reason),
-                                               4));
+                                               4, width));
     };
     for (std::size_t i = 0; i < all[0].orders.size(); ++i) {
         const OrderLine &first = all.front().orders[i], &last = all.back().orders[i];
@@ -165,18 +166,18 @@ std::vector<std::string> remarks(const Table2& table, const std::vector<Fitted>&
 
 }  // namespace
 
-std::string table2Text(const Table2& table) {
+std::string table2Text(const Table2& table, std::size_t width) {
     const std::vector<Fitted> all = fittedOf(table.cells);
     std::string text =
         "Roettger, Irion, Ertl 2002, Table 2: frames per second on a GeForce 2 MX, published and "
         "by the model\n\n";
-    text += fitsText(table.cells, all);
-    text += fmt::format("\n{}", cellsText(table, all));
+    text += fitsText(table.cells, all, width);
+    text += fmt::format("\n{}", cellsText(table, all, width));
     text += "\nIn brackets: how much longer the model's frame takes.\n";
-    text += fmt::format("\n{}", ordersText(all));
+    text += fmt::format("\n{}", ordersText(all, width));
     text += "\nWhy: milliseconds that the slower column takes more on the chip, by the terms of the model\n";
-    text += fmt::format("{}\n", reasonsText(all));
-    for (const std::string& line : remarks(table, all)) text += fmt::format("{}\n", wrapText(line, 2));
+    text += fmt::format("{}\n", reasonsText(all, width));
+    for (const std::string& line : remarks(table, all)) text += fmt::format("{}\n", wrapText(line, 2, width));
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cost/model.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -88,7 +89,7 @@ struct Table2 {
 };
 
 /// Published frame rates beside the model's, the fits, their residuals, the orders, and what is comparable.
-std::string table2Text(const Table2& table);
+std::string table2Text(const Table2& table, std::size_t width = kPageColumns);
 std::string table2Csv(const Table2& table);
 nlohmann::ordered_json table2Json(const Table2& table);
 

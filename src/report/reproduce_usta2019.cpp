@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "report/spread_text.h"
@@ -15,10 +16,6 @@ using Json = nlohmann::ordered_json;
 
 /// "As fast as": within this share.
 constexpr double kAsFast = 0.05;
-
-std::string nameOf(const UstaLine& line) {
-    return line.byShader ? fmt::format("{}, shader", line.called) : line.called;
-}
 
 std::string jsonOf(const UstaRun& run) {
     Json scenes = Json::array();
@@ -58,7 +55,8 @@ const UstaLine* find(const UstaScene& scene, const std::string& method, bool byS
     return at == scene.lines.end() ? nullptr : &*at;
 }
 
-/// The methods from the fastest to the slowest, of those whose volumes are made the same way.
+/// The methods from the fastest to the slowest, of those whose volumes are made the same way; "=" where the
+/// quartiles of their ratio hold 1.
 std::string orderOf(const UstaScene& scene, bool byShader) {
     std::vector<const UstaLine*> lines;
     for (const UstaLine& line : scene.lines)
@@ -66,8 +64,11 @@ std::string orderOf(const UstaScene& scene, bool byShader) {
     std::stable_sort(lines.begin(), lines.end(), [](const UstaLine* a, const UstaLine* b) {
         return spreadOf(a->ms).median < spreadOf(b->ms).median;
     });
-    std::string text;
-    for (const UstaLine* line : lines) text += fmt::format("{}{}", text.empty() ? "" : " < ", line->called);
+    std::string text = lines.empty() ? "" : lines[0]->called;
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+        const Spread ratio = spreadOf(ratios(lines[i]->ms, lines[i - 1]->ms));
+        text += fmt::format("{}{}", ratio.low > 1 ? " < " : " = ", lines[i]->called);
+    }
     return text;
 }
 
@@ -98,9 +99,9 @@ std::string claimsOf(const UstaScene& scene) {
 
 }  // namespace
 
-std::string showUsta(const UstaRun& run, Format format) {
-    if (format == Format::Json) return jsonOf(run);
-    if (format == Format::Csv) return csvOf(run);
+std::string showUsta(const UstaRun& run, const Page& page) {
+    if (page.format == Format::Json) return jsonOf(run);
+    if (page.format == Format::Csv) return csvOf(run);
     std::string text = fmt::format(
         "Usta et al. 2019, Figure 4: time of making the stencil mask, {}x{}, {} frames of each path\non {}\n",
         run.width, run.height, run.frames, run.device);
@@ -112,7 +113,7 @@ std::string showUsta(const UstaRun& run, Format format) {
                              spreadText(spreadOf(line.ratios)), fmt::format("{}", line.wrong),
                              fmt::format("{}", line.framesWrong)});
         text += fmt::format("\n{} ({} triangles)\n\n{}\n{}", scene.scene, scene.triangles,
-                            alignColumns(table), claimsOf(scene));
+                            alignColumns(table, page.width), claimsOf(scene));
     }
     return text + "\n" +
            wrapText(
@@ -122,32 +123,39 @@ std::string showUsta(const UstaRun& run, Format format) {
                            "turn. To Z-Pass: the ratio within a round, to the Z-Pass whose volumes are "
                            "made the same way.",
                            run.repeats),
-               0) +
+               0, page.width) +
            "\n" +
            wrapText(
                "Comparable: order and ratios of the methods that share a builder; the paper makes all "
                "volumes in geometry shaders, on a GTX 1080 Ti. Not comparable: times, and the share of "
                "the geometry in them: a software rasteriser runs shaders on the host.",
-               0) +
+               0, page.width) +
            "\n";
 }
 
 std::vector<Plot> ustaPlots(const UstaRun& run) {
     std::vector<Plot> plots;
     for (const UstaScene& scene : run.scenes) {
-        Plot plot{.title = fmt::format("Making the stencil mask of {}", scene.scene),
-                  .subtitle = fmt::format("{} triangles, {}x{}; Usta et al. 2019, Figure 4; time on this "
-                                          "machine, {}",
-                                          scene.triangles, run.width, run.height, run.device),
-                  .x = {.title = "frame of the camera path"},
-                  .y = {.title = "milliseconds", .logarithmic = true}};
-        for (const UstaLine& line : scene.lines) {
-            PlotSeries series{.name = nameOf(line), .joined = true};
-            for (std::size_t i = 0; i < line.ms.size(); ++i)
-                series.points.push_back({.x = double(i), .y = line.ms[i]});
-            plot.series.push_back(std::move(series));
+        // A panel for each: shaders take tens of times what the host takes.
+        for (const bool byShader : {false, true}) {
+            Plot plot{
+                .title = fmt::format("Making the stencil mask of {}, volumes by the {}",
+                                     std::filesystem::path(scene.scene).filename().string(),
+                                     byShader ? "shader" : "host"),
+                .subtitle = fmt::format("{} triangles, {}x{}; Usta et al. 2019, Figure 4; time on this "
+                                        "machine, {}; of each frame the median of {} rounds",
+                                        scene.triangles, run.width, run.height, run.device, run.repeats),
+                .x = {.title = "frame of the camera path", .isWhole = true},
+                .y = {.title = "milliseconds"}};
+            for (const UstaLine& line : scene.lines) {
+                if (line.byShader != byShader) continue;
+                PlotSeries series{.name = line.called, .joined = true};
+                for (std::size_t i = 0; i < line.ms.size(); ++i)
+                    series.points.push_back({.x = double(i), .y = line.ms[i]});
+                plot.series.push_back(std::move(series));
+            }
+            if (!plot.series.empty()) plots.push_back(std::move(plot));
         }
-        plots.push_back(std::move(plot));
     }
     return plots;
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "cost/spread.h"
-#include "report/listings.h"
+#include "report/page.h"
 #include "report/plot.h"
 
 namespace gnomon {
@@ -34,9 +34,9 @@ struct UstaRun {
     std::vector<UstaScene> scenes{};
 };
 
-std::string showUsta(const UstaRun& run, Format format);
+std::string showUsta(const UstaRun& run, const Page& page);
 
-/// One plot for each scene, a line for each method.
+/// For each scene a plot of the volumes that the host makes, and one of the shader's; a line for each method.
 std::vector<Plot> ustaPlots(const UstaRun& run);
 
 }  // namespace gnomon

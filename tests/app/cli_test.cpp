@@ -30,8 +30,8 @@ const std::filesystem::path kShared = GNOMON_SHARED;
 
 class Program : public ProgramTest {};
 
-constexpr const char* kCommands[] = {"matrix",   "render",  "plan",   "advise", "reproduce", "prove",
-                                     "profiles", "methods", "scenes", "mesh",   "cost",      "devices"};
+constexpr const char* kCommands[] = {"matrix",   "report",  "render", "plan", "advise", "reproduce", "prove",
+                                     "profiles", "methods", "scenes", "mesh", "cost",   "devices"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
     const Outcome help = run({"--help"});
@@ -238,7 +238,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadArguments{"LevelsToProveNoNumber", {"prove", "--levels", "two"}, "--levels"},
         BadArguments{"PaperUnknown", {"reproduce", "crow1977"}, "crow1977"},
         BadArguments{"PaperMissing", {"reproduce"}, "paper"},
-        BadArguments{"TableUnknown", {"reproduce", "roettger2002", "--table", "3"}, "only table 1 and 2"},
+        BadArguments{
+            "TableUnknown", {"reproduce", "roettger2002", "--table", "3"}, "only tables 1 and 2 are"},
         BadArguments{"TwoTablesAsCsv", {"reproduce", "roettger2002", "--format", "csv"}, "--format: "},
         BadArguments{"HostTimeNoNumber", {"plan", "--explain", "--host-ms", "nan"}, "--host-ms"},
         BadArguments{"HostTimeNegative", {"plan", "--explain", "--host-ms", "-1"}, "--host-ms"},

@@ -6,6 +6,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "image/whole_file.h"
+
 namespace gnomon {
 namespace {
 
@@ -84,6 +86,21 @@ TEST_F(ImageFile, CannotReplaceFolderAndLeavesNothing) {
     std::filesystem::create_directories(file / "inside");
     EXPECT_THAT(errorOf([&] { writeImage(file, ramp(3)); }), StartsWith(file.string() + ": "));
     EXPECT_EQ(filesInFolder(), 1u);
+}
+
+TEST_F(ImageFile, IsWrittenWhereALinkLeadsAndTheLinkStays) {
+    const Image image{1, 1, 1, {7}};
+    std::filesystem::create_symlink(m_folder / "far.png", m_folder / "link.png");
+    writeImage(m_folder / "link.png", image);
+    EXPECT_TRUE(std::filesystem::is_symlink(m_folder / "link.png"));
+    EXPECT_EQ(readImage(m_folder / "far.png"), image);
+    std::filesystem::create_symlink("/dev/full", m_folder / "device.png");
+    EXPECT_THROW(writeImage(m_folder / "device.png", image), std::runtime_error);
+    EXPECT_TRUE(std::filesystem::is_symlink(m_folder / "device.png"));
+    EXPECT_THROW(tryWhole(m_folder / "device.png"), std::runtime_error);
+    EXPECT_THROW(tryWhole(m_folder / "missing/image.png"), std::runtime_error);
+    tryWhole(m_folder / "new.png");
+    EXPECT_FALSE(std::filesystem::exists(m_folder / "new.png"));
 }
 
 TEST_F(ImageFile, OfUnknownKindIsRefused) {

@@ -157,6 +157,35 @@ TEST(CellJson, ComesBackWithEachOptionAndWithoutThoseThatAreAsUsual) {
     EXPECT_EQ(cellFromJson(Json::parse(toJson(cell).dump())).axes, cell.axes);
 }
 
+TEST(CellJson, KeepsWhatElseWasAskedFor) {
+    Cell cell = fullCell();
+    for (const char* key : {"dither", "blend_unit", "view"}) EXPECT_FALSE(toJson(cell).contains(key)) << key;
+    cell.fidelity = "chip", cell.dithers = true, cell.blendUnit = "voodoo_86box";
+    cell.view = {{"light", "1,2,3,0"}, {"near", "0.25"}};
+    const Cell back = cellFromJson(Json::parse(toJson(cell).dump()));
+    EXPECT_TRUE(back.dithers);
+    EXPECT_EQ(back.blendUnit, "voodoo_86box");
+    EXPECT_EQ(back.view, cell.view);
+}
+
+TEST(CellQuestion, TellsCellsOfOneIdApart) {
+    const Cell cell = fullCell();
+    const auto differs = [&](auto change) {
+        Cell other = cell;
+        change(other);
+        EXPECT_EQ(other.id(), cell.id());
+        return other.question() != cell.question();
+    };
+    EXPECT_TRUE(differs([](Cell& c) { c.axes.shade = Shade::Black; }));
+    EXPECT_TRUE(differs([](Cell& c) { c.fidelity = "chip"; }));
+    EXPECT_TRUE(differs([](Cell& c) { c.dithers = true; }));
+    EXPECT_TRUE(differs([](Cell& c) { c.blendUnit = "gs"; }));
+    EXPECT_TRUE(differs([](Cell& c) { c.effects = Effects::none(); }));
+    EXPECT_TRUE(differs([](Cell& c) { c.view = {{"near", "1"}}; }));
+    EXPECT_FALSE(differs([](Cell& c) { c.verdict = Verdict::Exact, c.digest = "", c.cpuMs = 3; }));
+    EXPECT_FALSE(differs([](Cell& c) { c.device = "osmesa"; }));
+}
+
 TEST(CellJson, RefusesWhatIsNoCell) {
     EXPECT_THROW(cellFromJson(Json::object()), nlohmann::json::exception);
     EXPECT_THROW(cellFromJson(Json::array()), nlohmann::json::exception);

@@ -147,6 +147,45 @@ TEST(CostStudy, CountsAndTimesAreThoseOfTheFrame) {
     EXPECT_GT(study.unshadowedMs, 0);
 }
 
+TEST(CostStudy, HasTheModelsCostOfWhatIsDrawn) {
+    Lab lab(shippedScene("roettger"));
+    const CostStudy study = costStudy(lab, requestOf("voodoo2", {"none", "roettger-screen", "auto"}));
+    ASSERT_TRUE(study.hasModelRates);
+    lab.simulate({});
+    const FrameCost full = lab.fullCost(chip("voodoo2"), method("roettger-screen"), 96, 72, 0);
+    const ModelSum& screen = rowOf(study, "roettger-screen").model;
+    EXPECT_EQ(screen.bytes, full.bytes());
+    EXPECT_EQ(screen.ms, full.ms());
+    EXPECT_EQ(screen.limit, full.limit());
+    // What is chosen is drawn with what the frame calls for, which takes less than the whole method.
+    EXPECT_LT(rowOf(study, "auto").model.bytes, screen.bytes);
+    EXPECT_LT(rowOf(study, "none").model.ms, screen.ms);
+    EXPECT_TRUE(rowOf(study, "none").onModelFrontier);
+}
+
+TEST(CostRequest, HasAsManyRoundsInAllFramesAsInOne) {
+    EXPECT_EQ(defaultRepeats(1), 9);
+    EXPECT_EQ(defaultRepeats(2), 5);
+    EXPECT_EQ(defaultRepeats(9), 1);
+    EXPECT_EQ(defaultRepeats(60), 1);
+}
+
+TEST(ModelSum, AddsFramesAndHasTheLimitOfTheLongest) {
+    FrameCost fill, bandwidth;
+    fill.passes = {{.traffic = {.depthRead = 3, .busBytes = 5}, .fillMs = 2, .bandwidthMs = 1}};
+    bandwidth.passes = {{.traffic = {.colourWritten = 4}, .fillMs = 2, .bandwidthMs = 7}};
+    bandwidth.missing = {"no triangle rate"};
+    ModelSum sum;
+    for (const FrameCost& frame : {fill, bandwidth, fill}) sum.add(frame);
+    EXPECT_EQ(sum.bytes, 10);
+    EXPECT_EQ(sum.busBytes, 10);
+    EXPECT_EQ(sum.fillMs, 6);
+    EXPECT_EQ(sum.bandwidthMs, 9);
+    EXPECT_EQ(sum.ms, 11);
+    EXPECT_EQ(sum.limit, Resource::Bandwidth);
+    EXPECT_EQ(sum.missing, std::vector<std::string>{"no triangle rate"});
+}
+
 TEST(CostStudy, MeasuresHowFarErrorsAreFromTheBoundary) {
     Lab lab(shippedScene("roettger"));
     CostRequest request = requestOf("ideal", {"none", "roettger-half", "roettger-quarter"});

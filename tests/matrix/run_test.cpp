@@ -111,12 +111,13 @@ TEST(RunMatrix, MarksThePathOfEachChip) {
     EXPECT_THAT(chosen, ElementsAre("voodoo2 roettger-screen", "ideal heidmann"));
 }
 
-TEST(RunMatrix, ReportsProgressUpToTheLastCell) {
+TEST(RunMatrix, ReportsProgressFromTheStartToTheLastCell) {
     MatrixRequest request = smallRequest();
     request.scenes.resize(1), request.sizes.resize(1);
-    std::vector<std::pair<std::size_t, std::size_t>> seen;
-    runMatrix(request, [&](std::size_t done, std::size_t all) { seen.emplace_back(done, all); });
-    EXPECT_THAT(seen, ElementsAre(std::pair(6u, 12u), std::pair(12u, 12u)));
+    std::vector<Progress> seen, expected;
+    runMatrix(request, [&](const Progress& progress) { seen.push_back(progress); });
+    for (std::size_t done = 0; done <= 12; ++done) expected.push_back({.done = done, .all = 12});
+    EXPECT_EQ(seen, expected);
 }
 
 /// A scene that crashes whoever draws it: a triangle of vertices that are far from its memory.
@@ -131,8 +132,10 @@ TEST(RunMatrix, FailsTheCellsOfACrashAndNoOthers) {
     MatrixRequest request = smallRequest();
     request.scenes = {shippedScene("roettger"), crashingScene(), shippedScene("boxes")};
     request.sizes.resize(1), request.frames = {0}, request.jobs = 2;
-    const std::vector<Cell> cells = runMatrix(request);
+    Progress last;
+    const std::vector<Cell> cells = runMatrix(request, [&](const Progress& progress) { last = progress; });
     ASSERT_EQ(cells.size(), 18u);
+    EXPECT_EQ(last, (Progress{.done = 18, .all = 18, .failures = 6}));
     for (const Cell& cell : cells) {
         EXPECT_EQ(cell.verdict == Verdict::Failed, cell.scene == "broken") << cell.id();
         if (cell.scene == "broken") {

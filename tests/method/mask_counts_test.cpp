@@ -118,6 +118,7 @@ TEST(CountDoublings, TakeEveryCountButTheStartToTheLargestCode) {
         }
     EXPECT_EQ(countDoublings(chipOf(BlendUnit::IdealRound, 8), 8), 8);
     EXPECT_EQ(countDoublings(chipOf(BlendUnit::Nv2a, 5), 5), 6) << "248 is its 1 of 5 bits";
+    EXPECT_EQ(countDoublings(chipOf(BlendUnit::IdealRound, 8), 0), 0) << "no channel, no crash";
 }
 
 TEST(CountWraps, WhereTheChipCanUnlessAskedOrStartedOtherwise) {

@@ -39,8 +39,15 @@ std::string lineWith(const std::string& text, const std::string& words) {
     return "no line with " + words;
 }
 
+/// A page on which no table is broken.
+Page widePage() {
+    Page page;
+    page.width = 400;
+    return page;
+}
+
 TEST(ListProfiles, ShowsTheBlendUnitAndItsEvidence) {
-    const std::string line = lineWith(listProfiles({measured()}, Format::Text), "Microsoft");
+    const std::string line = lineWith(listProfiles({measured()}, widePage()), "Microsoft");
     EXPECT_THAT(line, HasSubstr("  add sub rev wrap logic  4x2048    any      nv2a +1     recorded"));
 }
 
@@ -48,7 +55,7 @@ TEST(ListProfiles, MarksWhatIsAbsent) {
     Profile bare;
     bare.id = "bare", bare.title = "Bare";
     bare.colourFormats = {{"565", 5, 6, 5, 0}};
-    const std::string line = lineWith(listProfiles({bare}, Format::Text), "Bare");
+    const std::string line = lineWith(listProfiles({bare}, widePage()), "Bare");
     EXPECT_EQ(
         line,
         "bare     Bare         565     -      -      -                   -         any      -           -");

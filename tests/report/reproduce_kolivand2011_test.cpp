@@ -49,10 +49,17 @@ TEST(ShowKolivand, SaysWhichOrderIsConfirmed) {
         showKolivand(runOf({{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {2, 2, 2}}), Format::Text);
     EXPECT_THAT(confirmed,
                 AllOf(HasSubstr("71.47"), HasSubstr("Not comparable"), Not(HasSubstr("not confirmed"))));
-    const std::string refuted =
-        showKolivand(runOf({{1, 1, 1}, {2, 2, 2}, {2, 2, 2}, {4, 4, 4}}), Format::Text);
+    Page page;
+    page.width = 200;
+    const std::string refuted = showKolivand(runOf({{1, 1, 1}, {2, 2, 2}, {2, 2, 2}, {4, 4, 4}}), page);
     EXPECT_THAT(refuted, HasSubstr("not confirmed; published 0.937, here 1.00 (1.00 to 1.00)"));
     EXPECT_THAT(refuted, HasSubstr("not confirmed; published 1.001, here 0.500 (0.500 to 0.500)"));
+}
+
+TEST(ShowKolivand, AsCsvHasANumberInEachField) {
+    const std::string csv = showKolivand(runOf({{1, 1, 1}, {2, 2, 2}, {4, 4, 4}, {1, 1, 1}}), Format::Csv);
+    EXPECT_THAT(csv, HasSubstr("\ntriangular algorithm,heidmann,triangular,69.93,"));
+    EXPECT_THAT(csv, HasSubstr(",0.5,0.5,0.5,2,2,2,2\r\n"));
 }
 
 TEST(ShowKolivand, AsJsonHasEveryFigure) {

@@ -63,6 +63,9 @@ TEST(ShowComparisons, SaysWhereFiguresDiffer) {
                 AllOf(HasSubstr("agrees"), Not(HasSubstr("DIFFERS"))));
     EXPECT_THAT(showComparisons({agreeing(), differs}, Format::Text),
                 AllOf(HasSubstr("1/5"), HasSubstr("DIFFERS")));
+    EXPECT_THAT(showComparisons({agreeing()}, Format::Csv),
+                HasSubstr(",plan_scene,plan_rectangle,agrees\r\n"));
+    EXPECT_THAT(showComparisons({agreeing(), differs}, Format::Csv), testing::EndsWith(",0\r\n"));
     const auto json = nlohmann::json::parse(showComparisons({agreeing(), differs}, Format::Json));
     ASSERT_EQ(json.size(), 2u);
     EXPECT_EQ(json[0]["agrees"], true);

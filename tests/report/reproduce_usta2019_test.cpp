@@ -48,6 +48,12 @@ TEST(ShowUsta, GivesOrderAndOverheads) {
                       HasSubstr("Z-Fail is slower than Z-Pass (volumes by the host): confirmed, 2.00")));
 }
 
+TEST(ShowUsta, CallsEqualWhatNoiseOrders) {
+    UstaRun run = runOf(1.1);
+    run.scenes[0].lines[4].ms = {9, 11};  // atomiczp, once quicker and once slower than Z-Pass
+    EXPECT_THAT(showUsta(run, Format::Text), HasSubstr("by the shader: Z-Pass = AtomicZP < ++ZP\n"));
+}
+
 TEST(ShowUsta, AsCsvHasALinePerMethodAndFrame) {
     const std::string csv = showUsta(runOf(1), Format::Csv);
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 5 * 2);
@@ -63,11 +69,15 @@ TEST(ShowUsta, AsJsonHasEveryLine) {
     EXPECT_EQ(lines[4]["volumes"], "shader");
 }
 
-TEST(UstaPlots, HaveOneLinePerMethod) {
-    const auto plots = ustaPlots(runOf(1));
-    ASSERT_EQ(plots.size(), 1u);
-    ASSERT_EQ(plots[0].series.size(), 5u);
-    EXPECT_EQ(plots[0].series[4].points[1].y, 10);
+TEST(UstaPlots, HaveAPanelPerBuilderAndOneLinePerMethod) {
+    UstaRun run = runOf(1);
+    run.scenes[0].scene = "folder/level.glb";
+    const auto plots = ustaPlots(run);
+    ASSERT_EQ(plots.size(), 2u);
+    EXPECT_EQ(plots[0].title, "Making the stencil mask of level.glb, volumes by the host");
+    EXPECT_EQ(plots[0].series.size(), 2u);
+    ASSERT_EQ(plots[1].series.size(), 3u);
+    EXPECT_EQ(plots[1].series[2].points[1].y, 10);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "bench/speed/easel.h"
 #include "bench/speed/speed_row.h"
 #include "cost/spread.h"
 #include "gl/capability.h"
+#include "gl/frame_calls.h"
 #include "gl/pass_runner.h"
 #include "gl/stopwatch.h"
 #include "profile/shipped.h"
@@ -100,20 +100,18 @@ Measured slowest(const std::vector<std::pair<double, double>>& kinds) {
     return {added(*most), most->first, most->second};
 }
 
-/// Thread CPU time of a frame, milliseconds, as render() draws it: through the layer and the counter, which
-/// are put up for each frame; or past them.
+/// Thread CPU time of a frame, milliseconds, as render() draws it: through the layer and the counter; or past
+/// them.
 double frameMs(Easel& easel, const Plan& plan, bool isHeld) {
     Surface& surface = easel.surface();
     surface.makeCurrent();
     const GlTable& driver = surface.driver();
     resetState(driver);
     const double start = threadCpuMs();
-    Counter counter;
-    std::optional<GlTable> held;
-    if (isHeld) held = counter.count(restrictTo(easel.profile(), surface.format(), driver));
+    const GlTable& gl = isHeld ? surface.frameCalls().begin(easel.profile()) : driver;
     const LightFrames lights = easel.frame().lights();
-    PassRunner runner(held ? *held : driver, surface, easel.profile().id, plan, easel.frame().surfaces,
-                      lights, VertexSource::HostMemory);
+    PassRunner runner(gl, surface, easel.profile(), plan, easel.frame().surfaces, lights,
+                      VertexSource::HostMemory);
     for (const Pass& pass : plan.passes) runner.run(pass);
     driver.Finish();
     const double ms = threadCpuMs() - start;

@@ -1,0 +1,132 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <thread>
+
+#include "app/commands.h"
+#include "app/options.h"
+#include "app/report_file.h"
+#include "report/run_compare.h"
+#include "report/run_file.h"
+
+namespace gnomon {
+namespace {
+
+struct Options {
+    std::vector<std::string> runs{};
+    ProfileOption profiles{};
+    std::vector<std::string> scenes{};
+    ReportFile output{};
+    FormatOption format{};
+    int jobs = int(std::max(1u, std::thread::hardware_concurrency()));
+};
+
+/// What is wrong with a scene or chip, said of the cell that names it.
+template <class Load>
+auto loadedFor(const RunRecord& run, std::size_t index, const Load& load) {
+    try {
+        return load();
+    } catch (const RunError&) {
+        throw;
+    } catch (const std::runtime_error& error) {
+        throw run.error(index, error.what());
+    }
+}
+
+/// The scene of a cell.
+/// @param files  by id: scenes that stand elsewhere than the shipped ones
+Scene sceneOf(const RunRecord& run, std::size_t index, const std::map<std::string, std::string>& files) {
+    const Cell& cell = run.cells[index];
+    return loadedFor(run, index, [&] {
+        const auto file = files.find(cell.scene);
+        SceneOption option{.ids = {file == files.end() ? cell.scene : file->second}};
+        option.place(cell.view);
+        std::vector<Scene> scenes = option.load();
+        if (scenes.size() != 1 || scenes.front().id != cell.scene)
+            throw run.error(index, fmt::format("no scene '{}' (--scene says where its file is)", cell.scene));
+        return std::move(scenes.front());
+    });
+}
+
+/// The chips of all cells, and the scenes of those that are to be drawn.
+RunSources sourcesOf(const RunRecord& run, const Options& options) {
+    RunSources sources;
+    if (!options.profiles.ids.empty())
+        for (Profile& profile : options.profiles.load()) sources.profiles.emplace(profile.id, profile);
+    std::map<std::string, std::string> files;
+    for (const std::string& file : options.scenes)
+        for (const Scene& scene : SceneOption{.ids = {file}}.load()) files.emplace(scene.id, file);
+    for (std::size_t i = 0; i < run.cells.size(); ++i) {
+        const Cell& cell = run.cells[i];
+        if (sources.profiles.contains(cell.profile)) continue;
+        loadedFor(run, i, [&] {
+            sources.profiles.emplace(cell.profile, ProfileOption{.ids = {cell.profile}}.load().front());
+            return 0;
+        });
+    }
+    for (const std::size_t i : shownCells(run.cells)) {
+        const Cell& cell = run.cells[i];
+        auto at = sources.scenes.find({cell.scene, cell.view});
+        if (at == sources.scenes.end())
+            at = sources.scenes.emplace(std::pair(cell.scene, cell.view), sceneOf(run, i, files)).first;
+        const std::size_t frames = at->second.frames.size();
+        if (std::size_t(cell.frame) >= frames)
+            throw run.error(i,
+                            fmt::format("no frame {}: {} has 0 to {}", cell.frame, cell.scene, frames - 1));
+    }
+    return sources;
+}
+
+int run(const Options& options) {
+    if (options.runs.size() > 2)
+        throw UsageError(fmt::format("{}: a third run; two can be compared", options.runs[2]));
+    const bool compares = options.runs.size() == 2;
+    if (!compares && !options.output.isWanted()) throw UsageError("-o: a report needs a file to go to");
+    if (!compares && options.format.word != "text")
+        throw UsageError("--format: is for two runs; one goes into a page");
+    options.output.check();
+    std::error_code error;
+    for (const std::string& file : options.runs)
+        if (options.output.isWanted() && std::filesystem::equivalent(file, options.output.file, error))
+            throw UsageError(fmt::format("{}: is the run itself", options.output.file));
+    const RunRecord last = readRun(options.runs.back());
+    if (!compares) {
+        options.output.write(last.cells, sourcesOf(last, options), options.jobs);
+        return 0;
+    }
+    const RunRecord first = readRun(options.runs.front());
+    const auto changes = changesBetween(first.cells, last.cells);
+    if (options.output.isWanted())
+        options.output.write(last.cells, sourcesOf(last, options), options.jobs, first.cells);
+    fmt::print("{}",
+               showChanges(changes, first.cells.size(), last.cells.size(), options.format.value().format));
+    return changes.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+void addReport(CLI::App& app, int& status) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand(
+        "report",
+        "A run as one page that opens from disk without a network: tables, pictures, film strips, plots.\n"
+        "The run is what gnomon matrix --format json wrote; its pictures are drawn again. Of two runs: what\n"
+        "has changed from the first to the second, in words, and with -o as a page.");
+    command
+        ->add_option("run", options->runs,
+                     "what gnomon matrix --format json wrote; or two of these, the older first")
+        ->required()
+        ->type_name("FILE.json");
+    options->output.addTo(*command, "-o,--output");
+    options->format.addTo(*command);
+    options->profiles.addTo(*command, "files of chips in the run that are not gnomon's own");
+    command->add_option("--scene", options->scenes, "files of scenes in the run that are not gnomon's own")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->type_name("FILE");
+    command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
+        ->check(CLI::Range(1, 256));
+    command->callback([options, &status] { status = run(*options); });
+}
+
+}  // namespace gnomon

@@ -1,0 +1,11 @@
+# Runs bundle.mjs, or says what is missing: cmake -D NODE=... -D WEB=folder -D PAGE=file -P bundle.cmake
+if(NOT NODE)
+    message(FATAL_ERROR "The report's page is bundled by node, which is not there: run ./setup, then configure again")
+endif()
+if(NOT EXISTS ${WEB}/node_modules/esbuild)
+    message(FATAL_ERROR "The report's page needs src/report/web/node_modules: run ./setup")
+endif()
+execute_process(COMMAND ${NODE} ${WEB}/bundle.mjs ${PAGE} RESULT_VARIABLE failed)
+if(failed)
+    message(FATAL_ERROR "The report's page can't be bundled")
+endif()

@@ -1,0 +1,64 @@
+// What the page says of a cell: its verdict in sentences, the command that draws it.
+import { counted, plural } from './dom.js';
+
+/// Sentences that explain a cell's verdict.
+export function explanation(cells, cell) {
+    const number = (name) => cells.number(name, cell);
+    const verdict = cells.get('verdict', cell);
+    if (verdict === 'refused') return ['The chip lacks what the passes of this method need, so nothing was drawn. What it lacks, and who says so, stands below.'];
+    if (verdict === 'failed') return [`A fault of gnomon or of the driver: ${cells.get('error', cell) || 'no more is known'}.`];
+    const edge = number('wrong.edge'), interior = number('wrong.interior');
+    const sentences = [{
+        exact: 'Every pixel that can be judged is lit or in shadow as exact ray tracing says.',
+        edge: `${plural(edge, 'pixel')} ${edge === 1 ? 'is' : 'are'} wrong, all within one mask pixel of the true boundary of a shadow.`,
+        wrong: `${plural(interior, 'pixel')} ${interior === 1 ? 'is' : 'are'} wrong away from the boundaries of shadows, a leak or a hole; ${counted(edge)} at them.`,
+    }[verdict]];
+    const truth = number('tied.truth'), count = number('tied.count');
+    sentences.push(`Of ${plural(number('pixels'), 'pixel')}, ${counted(truth + count)} are tied and excused: for ${counted(truth)} truth itself changes within 1/256 pixel or one quantum of depth, for ${counted(count)} a face of a volume lies too close to the surface.`);
+    const unpredicted = number('unpredicted');
+    sentences.push(unpredicted
+        ? `${plural(unpredicted, 'untied pixel')} of the mask hold what exact arithmetic doesn't allow: a fault of gnomon or of the driver.`
+        : 'Every untied pixel of the mask holds what exact arithmetic predicts, so the verdict is the method\u2019s on this chip.');
+    return sentences;
+}
+
+const axes = {
+    store: '--store', arithmetic: '--arithmetic', levels: '--levels', count: '--count', silhouette: '--silhouette',
+    mask_scale: '--mask-scale', apply: '--apply',
+};
+const options = {
+    start: '--start', overflow: '--overflow', caps: '--caps', clip: '--clip', offset: '--offset', map_size: '--map-size', map_bias: '--map-bias',
+};
+const divisor = { 0.5: '1/2', 0.25: '1/4' };
+
+/// A word as the shell takes it.
+const quoted = (word) => (/^[\w./,:=+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
+
+/// The command that draws a cell.
+export function renderCommand(cells, cell, methods) {
+    const get = (name) => cells.get(name, cell);
+    const line = ['gnomon', 'render', get('scene'), '--profile', get('profile')];
+    if (methods.some((method) => method.id === get('method') && method.source) || get('method') === 'auto') {
+        line.push('--method', get('method'));
+    } else {
+        // Named by its axes.
+        for (const [name, flag] of Object.entries(axes))
+            if (get(name) !== undefined && get(name) !== null) line.push(flag, divisor[get(name)] ?? get(name));
+    }
+    for (const [name, flag] of Object.entries(options))
+        if (get(name) !== undefined && get(name) !== null) line.push(flag, get(name));
+    const unless = (name, flag, usual) => {
+        const value = get(name);
+        if (value !== undefined && value !== null && value !== usual) line.push(flag, value);
+    };
+    unless('shade', '--shade', 'attenuated');
+    line.push('--size', cells.size(cell), '--frame', get('frame'));
+    unless('fidelity', '--fidelity', 'gl');
+    unless('dither', '--dither', 'off');
+    unless('blend_unit', '--blend-unit', '');
+    unless('device', '--device', 'osmesa');
+    if (get('method') !== 'auto') unless('effects', '--effects', 'full');
+    for (const [flag, value] of Object.entries(get('view') ?? {})) line.push(`--${flag}`, value);
+    line.push('-o', 'image.png', '--mask', 'mask.png', '--truth', 'truth.png', '--steps', 'steps');
+    return line.map((word) => quoted(String(word))).join(' ');
+}
