@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <thread>
 
@@ -59,16 +60,18 @@ int run(const Options& options) {
     fmt::print("{}", page.format == Format::Json  ? matrixJson(cells)
                      : page.format == Format::Csv ? matrixCsv(cells)
                                                   : matrixText(cells, page));
+    bool hasFailed = std::any_of(cells.begin(), cells.end(),
+                                 [](const Cell& cell) { return cell.verdict == Verdict::Failed; });
     if (options.report.isWanted()) {
         RunSources sources;
         for (const Profile& profile : request.profiles) sources.profiles.emplace(profile.id, profile);
         for (const Scene& scene : request.scenes)
             sources.scenes.emplace(std::pair(scene.id, request.view), scene);
-        options.report.write(cells, sources, options.jobs);
+        const auto faults = options.report.write(cells, sources, options.jobs);
+        sayFaults(faults, [&](std::size_t i) { return cells[i].id(); });
+        hasFailed = hasFailed || !faults.empty();
     }
-    for (const Cell& cell : cells)
-        if (cell.verdict == Verdict::Failed) return 3;
-    return 0;
+    return hasFailed ? 3 : 0;
 }
 
 }  // namespace

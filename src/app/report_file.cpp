@@ -130,11 +130,13 @@ void ReportFile::check() const {
     checkOutputFile(file, {".html"}, "a report's name ends in .html");
 }
 
-void ReportFile::write(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
-                       const std::vector<Cell>& before) const {
+std::vector<std::pair<std::size_t, std::string>> ReportFile::write(const std::vector<Cell>& cells,
+                                                                   const RunSources& sources, int jobs,
+                                                                   const std::vector<Cell>& before) const {
     TerminalProgress bar("pictures");
     RunPictures pictures = drawRun(cells, sources, jobs, [&](const Progress& at) { bar.show(at); });
     bar.clear();
+    auto faults = faultsOf(pictures);
     Report report{.title = {commandOf(cells, sources), "gnomon " GNOMON_VERSION},
                   .cells = cells,
                   .sources = sources,
@@ -159,6 +161,16 @@ void ReportFile::write(const std::vector<Cell>& cells, const RunSources& sources
             if (!out) throw std::runtime_error("can't be written");
         });
     });
+    return faults;
+}
+
+void sayFaults(const std::vector<std::pair<std::size_t, std::string>>& faults,
+               const std::function<std::string(std::size_t)>& nameOf) {
+    constexpr std::size_t kMost = 20;
+    for (std::size_t i = 0; i < std::min(faults.size(), kMost); ++i)
+        fmt::print(stderr, "{}: {}\n", nameOf(faults[i].first), faults[i].second);
+    if (faults.size() > kMost)
+        fmt::print(stderr, "and {} more; the page marks them\n", faults.size() - kMost);
 }
 
 }  // namespace gnomon

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/options.h"
@@ -21,12 +23,18 @@ struct ReportFile {
     /// @throws UsageError
     void check() const;
     /// Draws the pictures in @p jobs processes and writes the report.
-    /// @throws UsageError          it can't be written, or is too large without any picture
-    /// @throws std::runtime_error  a cell comes out otherwise than it is in @p cells
     /// @param before  cells of an older run that these are compared with; empty: none
-    void write(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
-               const std::vector<Cell>& before = {}) const;
+    /// @returns faultsOf() the pictures: the page marks these cells
+    /// @throws UsageError  it can't be written, or is too large without any picture
+    std::vector<std::pair<std::size_t, std::string>> write(const std::vector<Cell>& cells,
+                                                           const RunSources& sources, int jobs,
+                                                           const std::vector<Cell>& before = {}) const;
 };
+
+/// Names the cells that did not come out as their run has them on standard error, a line each.
+/// @param nameOf  a cell by its index, with where it stands
+void sayFaults(const std::vector<std::pair<std::size_t, std::string>>& faults,
+               const std::function<std::string(std::size_t)>& nameOf);
 
 /// The `gnomon matrix` command that asks for such cells, as far as the defaults leave something to say.
 std::string commandOf(const std::vector<Cell>& cells, const RunSources& sources);

@@ -17,9 +17,13 @@ class Keeper {
         m_all.drawings[drawing].strip.clear();
         m_all.drawings[drawing].stripChunk = -1;
     }
+    /// What is said of a drawing that differs from its run is kept.
     void drop(std::size_t drawing) {
         dropStrip(drawing);
-        m_gone[drawing] = true;
+        if (m_all.drawings[drawing].differs.empty())
+            m_gone[drawing] = true;
+        else
+            m_all.drawings[drawing].pictures.clear();
     }
 
     /// Bytes of the chunks that are still needed.
@@ -35,6 +39,7 @@ class Keeper {
     RunPictures result() {
         mark();
         RunPictures kept;
+        kept.refusedPlans = std::move(m_all.refusedPlans);
         std::vector<int> newChunk(m_chunks.size(), -1), newPicture(m_pictures.size(), -1);
         for (std::size_t c = 0; c < m_chunks.size(); ++c) {
             if (!m_chunks[c]) continue;
@@ -52,6 +57,10 @@ class Keeper {
         for (std::size_t d = 0; d < m_gone.size(); ++d) {
             if (m_gone[d]) continue;
             CellDrawing drawing = std::move(m_all.drawings[d]);
+            if (drawing.pictures.empty()) {
+                kept.drawings.push_back(std::move(drawing));
+                continue;
+            }
             // A drawing whose pictures all stand elsewhere has no chunk of its own left.
             const auto firstOf = [&](int picture) {
                 return kept.pictures[std::size_t(newPicture[std::size_t(picture)])].chunk;
@@ -102,7 +111,7 @@ RunPictures fitted(RunPictures all, std::size_t bytes) {
     for (std::size_t i = 0; i < order.size() && size > bytes; ++i)
         keeper.dropStrip(order[i]), size = keeper.bytes();
     for (std::size_t i = 0; i < order.size() && size > bytes; ++i)
-        keeper.drop(order[i]), size = keeper.bytes();
+        if (!all.drawings[order[i]].pictures.empty()) keeper.drop(order[i]), size = keeper.bytes();
     return keeper.result();
 }
 

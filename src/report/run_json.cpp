@@ -56,7 +56,12 @@ Json cellsJson(const std::vector<Cell>& cells, const RunPictures& pictures) {
     for (std::size_t d = 0; d < pictures.drawings.size(); ++d)
         for (const std::size_t cell : pictures.drawings[d].cells) drawings[cell] = int(d);
     Dictionary plans;
-    for (const int d : drawings) plans.add(d < 0 ? "" : pictures.drawings[std::size_t(d)].plan);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto refused = pictures.refusedPlans.find(i);
+        plans.add(refused != pictures.refusedPlans.end() ? refused->second
+                  : drawings[i] < 0                      ? ""
+                                                         : pictures.drawings[std::size_t(drawings[i])].plan);
+    }
     json["drawing"] = {{"values", drawings}};
     json["plan"] = plans.json();
     return {{"count", cells.size()}, {"columns", json}};
@@ -137,8 +142,11 @@ Json drawingJson(const CellDrawing& drawing, const std::vector<Cell>& cells) {
         strip.push_back(
             {{"pass", frame.pass}, {"title", frame.title}, {"why", frame.why}, {"buffers", buffers}});
     }
-    return {{"width", cell.width}, {"height", cell.height}, {"chunk", drawing.chunk},
-            {"frame", cell.frame}, {"pictures", pictures},  {"strip", strip}};
+    Json json{{"width", cell.width}, {"height", cell.height}, {"chunk", drawing.chunk},
+              {"frame", cell.frame}, {"pictures", pictures},  {"strip", strip}};
+    if (!drawing.differs.empty()) json["differs"] = drawing.differs;
+    if (!drawing.error.empty()) json["error"] = drawing.error;
+    return json;
 }
 
 Json causesJson() {

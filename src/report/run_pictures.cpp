@@ -1,6 +1,7 @@
 #include "report/run_pictures.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdlib>
@@ -17,6 +18,7 @@
 #include "report/deflate.h"
 #include "report/listings.h"
 #include "report/plan_notes.h"
+#include "report/run_json.h"
 
 namespace gnomon {
 namespace {
@@ -27,6 +29,12 @@ constexpr int kSecondsPerJob = 1800;
 
 bool isDrawn(const Cell& cell) {
     return cell.verdict != Verdict::Refused && cell.verdict != Verdict::Failed;
+}
+
+/// What a cell asks, whatever its frame.
+std::string withoutFrame(Cell cell) {
+    cell.frame = 0;
+    return cell.question();
 }
 
 FidelityChoice choiceOf(const Cell& cell) {
@@ -66,21 +74,37 @@ Image causesOf(const Image& mask, const std::vector<Cause>& causes) {
     return out;
 }
 
+/// The keys of the pictures and of their judgement in which two drawings of one cell differ.
+std::vector<std::string> differingOutcomes(const Cell& a, const Cell& b) {
+    const std::set<std::string> outcomes{
+        "digest",     "verdict",     "causes",       "wrong.edge",    "wrong.interior",   "tied.truth",
+        "tied.count", "unpredicted", "passes.scene", "passes.volume", "passes.rectangle", "passes.copy"};
+    const auto before = flatCell(a), after = flatCell(b);
+    std::vector<std::string> keys;
+    for (const auto& [key, value] : before)
+        if (outcomes.contains(key) &&
+            std::find(after.begin(), after.end(), std::pair(key, value)) == after.end())
+            keys.push_back(key);
+    return keys;
+}
+
 /// Shown cells that share truth and geometry: one process draws them.
 struct Group {
-    std::vector<std::size_t> cells{};
+    std::vector<std::size_t> cells{}, refused{};
 };
 
-std::vector<Group> groupsOf(const std::vector<Cell>& cells, const std::vector<std::size_t>& shown) {
+std::vector<Group> groupsOf(const std::vector<Cell>& cells) {
     std::vector<Group> groups;
     std::map<std::tuple<std::string, std::map<std::string, std::string>, int, int, int>, std::size_t> known;
-    for (const std::size_t i : shown) {
+    const auto groupOf = [&](std::size_t i) -> Group& {
         const Cell& c = cells[i];
         const auto [at, isNew] =
             known.try_emplace({c.scene, c.view, c.width, c.height, c.frame}, groups.size());
         if (isNew) groups.emplace_back();
-        groups[at->second].cells.push_back(i);
-    }
+        return groups[at->second];
+    };
+    for (const std::size_t i : shownCells(cells)) groupOf(i).cells.push_back(i);
+    for (const std::size_t i : refusedCells(cells)) groupOf(i).refused.push_back(i);
     return groups;
 }
 
@@ -114,6 +138,13 @@ class GroupDrawer {
         fill(m_drawings.back(), cell, profile, plan);
     }
 
+    /// The passes of a cell that is refused.
+    std::string refusedPlan(std::size_t index) {
+        const Cell& cell = m_cells[index];
+        return passesText(
+            m_lab.plan(m_sources.profiles.at(cell.profile), cell.axes, cell.width, cell.height, cell.frame));
+    }
+
     void finish() { m_pack.finish(); }
 
     const std::vector<CellDrawing>& drawings() const { return m_drawings; }
@@ -128,14 +159,11 @@ class GroupDrawer {
             m_lab.run(profile, cell.axes, cell.width, cell.height, cell.frame, &pictures,
                       stripReader(stripPasses(plan, kShownVolumes), buffer,
                                   [&](StripPicture step) { steps.push_back(std::move(step)); }));
-        if (again.verdict == Verdict::Failed)
-            throw std::runtime_error(fmt::format("{}: drawn again: {}", cell.id(), again.error));
+        if (again.verdict == Verdict::Failed) drawing.error = again.error;
         if (again.verdict == Verdict::Refused)
-            throw std::runtime_error(fmt::format("{}: drawn again, it is refused: the chip lacks {}",
-                                                 cell.id(), again.missing.front().what));
-        if (again.digest != cell.digest)
-            throw std::runtime_error(fmt::format("{}: drawn again, its digest is {}, but the run has {}",
-                                                 cell.id(), again.digest, cell.digest));
+            drawing.error = fmt::format("it is refused: the chip lacks {}", again.missing.front().what);
+        if (!drawing.error.empty()) return;
+        if (again.digest != cell.digest) drawing.differs = differingOutcomes(cell, again);
         drawing.chunk = m_pack.beginChunk();
         const auto add = [&](const char* what, const Image& image, PictureKind kind, std::vector<int>& like) {
             // A strip is to build on the image.
@@ -211,7 +239,7 @@ Json toJson(const GroupDrawer& drawer) {
     for (const CellDrawing& d : drawer.drawings()) {
         Json strip = Json::array();
         for (const StripFrame& f : d.strip) strip.push_back({f.pass, f.title, f.why, f.buffers});
-        drawings.push_back({d.cells, d.chunk, d.pictures, strip, d.stripChunk, d.plan});
+        drawings.push_back({d.cells, d.chunk, d.pictures, strip, d.stripChunk, d.plan, d.differs, d.error});
     }
     for (const PackedPicture& p : drawer.pack().pictures())
         pictures.push_back({p.chunk, p.offset, p.width, p.height, p.planes, int(p.kind), p.base});
@@ -232,8 +260,10 @@ void addGroup(RunPictures& all, const Json& json) {
         CellDrawing drawing{.cells = d.at(0),
                             .chunk = firstChunk + int(d.at(1)),
                             .pictures = moved(d.at(2)),
-                            .stripChunk = firstChunk + int(d.at(4)),
-                            .plan = d.at(5)};
+                            .stripChunk = d.at(4) < 0 ? -1 : firstChunk + int(d.at(4)),
+                            .plan = d.at(5),
+                            .differs = d.at(6),
+                            .error = d.at(7)};
         for (const Json& f : d.at(3))
             drawing.strip.push_back(
                 {.pass = f.at(0), .title = f.at(1), .why = f.at(2), .buffers = moved(f.at(3))});
@@ -258,7 +288,7 @@ void addGroup(RunPictures& all, const Json& json) {
 void addNews(std::vector<CellDrawing>& drawings, const std::vector<Cell>& cells) {
     std::set<std::string> methods, outcomes;
     for (CellDrawing& drawing : drawings) {
-        drawing.news = 2;
+        drawing.news = drawing.differs.empty() && drawing.error.empty() ? 2 : 0;
         for (const std::size_t index : drawing.cells) {
             const Cell& c = cells[index];
             const std::string method =
@@ -278,9 +308,7 @@ std::vector<std::size_t> shownCells(const std::vector<Cell>& cells) {
     std::map<std::string, std::size_t> known;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         if (!isDrawn(cells[i])) continue;
-        Cell anyFrame = cells[i];
-        anyFrame.frame = 0;
-        const auto [at, isNew] = known.try_emplace(anyFrame.question(), shown.size());
+        const auto [at, isNew] = known.try_emplace(withoutFrame(cells[i]), shown.size());
         const auto badness = [&](std::size_t c) {
             return std::pair(cells[c].verdict, cells[c].wrongEdge + cells[c].wrongInterior);
         };
@@ -293,21 +321,51 @@ std::vector<std::size_t> shownCells(const std::vector<Cell>& cells) {
     return shown;
 }
 
+std::vector<std::size_t> refusedCells(const std::vector<Cell>& cells) {
+    std::set<std::string> known;
+    for (const Cell& cell : cells)
+        if (isDrawn(cell)) known.insert(withoutFrame(cell));
+    std::vector<std::size_t> refused;
+    for (std::size_t i = 0; i < cells.size(); ++i)
+        if (cells[i].verdict == Verdict::Refused && known.insert(withoutFrame(cells[i])).second)
+            refused.push_back(i);
+    return refused;
+}
+
+std::vector<std::pair<std::size_t, std::string>> faultsOf(const RunPictures& pictures) {
+    std::vector<std::pair<std::size_t, std::string>> faults;
+    for (const CellDrawing& drawing : pictures.drawings) {
+        if (drawing.differs.empty() && drawing.error.empty()) continue;
+        const std::string what =
+            drawing.error.empty()
+                ? fmt::format("drawn again, it differs from the run in {}", fmt::join(drawing.differs, ", "))
+                : fmt::format("drawn again: {}", drawing.error);
+        for (const std::size_t cell : drawing.cells) faults.emplace_back(cell, what);
+    }
+    std::sort(faults.begin(), faults.end());
+    return faults;
+}
+
 RunPictures drawRun(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
                     const ProgressListener& progress) {
-    const std::vector<std::size_t> shown = shownCells(cells);
-    const std::vector<Group> groups = groupsOf(cells, shown);
+    const std::vector<Group> groups = groupsOf(cells);
     std::vector<Job> work;
-    for (const Group& group : groups)
-        work.push_back({cells[group.cells.front()].scene, [&](const std::function<void(std::string)>& emit) {
-                            GroupDrawer drawer(cells, sources, cells[group.cells.front()]);
+    for (const Group& group : groups) {
+        const std::size_t first = group.cells.empty() ? group.refused.front() : group.cells.front();
+        work.push_back({cells[first].scene,
+                        [&cells, &sources, &group, first](const std::function<void(std::string)>& emit) {
+                            GroupDrawer drawer(cells, sources, cells[first]);
                             for (const std::size_t index : group.cells) drawer.draw(index);
                             drawer.finish();
-                            emit(toJson(drawer).dump());
+                            Json refused = Json::array();
+                            for (const std::size_t index : group.refused)
+                                refused.push_back({index, drawer.refusedPlan(index)});
+                            emit(Json{toJson(drawer), refused}.dump());
                         }});
+    }
     std::vector<std::optional<Json>> results(groups.size());
     std::vector<std::string> errors(groups.size());
-    Progress at{.all = shown.size()};
+    Progress at{.all = shownCells(cells).size()};
     if (progress) progress(at);
     runJobs(work, jobs, kSecondsPerJob, [&](std::size_t job, JobEnd end) {
         if (end.error.empty() && end.lines.size() == 1)
@@ -320,8 +378,12 @@ RunPictures drawRun(const std::vector<Cell>& cells, const RunSources& sources, i
     });
     RunPictures all;
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        if (!errors[g].empty()) throw std::runtime_error(errors[g]);
-        addGroup(all, *results[g]);
+        if (results[g]) {
+            addGroup(all, results[g]->at(0));
+            for (const Json& refused : results[g]->at(1))
+                all.refusedPlans.emplace(refused.at(0), refused.at(1));
+        } else if (!groups[g].cells.empty())
+            all.drawings.push_back({.cells = groups[g].cells, .error = errors[g]});
     }
     addNews(all.drawings, cells);
     return all;

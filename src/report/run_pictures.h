@@ -36,8 +36,11 @@ struct CellDrawing {
     std::vector<StripFrame> strip{};
     int stripChunk = -1;  ///< -1: the strip is left out
     std::string plan{};   ///< the passes with their reasons, for people
-    /// 0: the first of its scene and method, or what a chip draws when no method is named; 1: the first of
-    /// its verdict and causes too; 2: none of these.
+    /// Keys of flatCell() in which what was drawn is otherwise than in the run: "digest", and outcomes.
+    std::vector<std::string> differs{};
+    std::string error{};  ///< why it could not be drawn; then it has no pictures
+    /// 0: the first of its scene and method, what a chip draws when no method is named, or what came out
+    /// otherwise than the run has it; 1: the first of its verdict and causes too; 2: none of these.
     int news = 0;
 };
 
@@ -47,18 +50,27 @@ struct RunPictures {
     std::vector<CellDrawing> drawings{};
     std::vector<PackedPicture> pictures{};
     std::vector<PackedChunk> chunks{};
+    /// By cell, of every chip, method and scene that is refused in all frames the first: the passes that the
+    /// chip can't run, as CellDrawing::plan.
+    std::map<std::size_t, std::string> refusedPlans{};
 };
 
 /// By chip, method and scene, the cell that is shown in pictures; indices in the order of @p cells. Refused
 /// and failed cells show nothing.
 std::vector<std::size_t> shownCells(const std::vector<Cell>& cells);
 
+/// By chip, method and scene that no frame is drawn of, the first refused cell; indices as above.
+std::vector<std::size_t> refusedCells(const std::vector<Cell>& cells);
+
 /// Draws the shown cells of a run again in @p jobs processes.
 /// @param progress  in cells
 /// @pre every shown cell's profile and scene are in @p sources, and the scene has the cell's frame
-/// @throws std::runtime_error  a cell comes out otherwise than the run has it, or can't be drawn; it is named
+/// A cell that comes out otherwise than the run has it, or can't be drawn, says so in its drawing.
 RunPictures drawRun(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
                     const ProgressListener& progress = {});
+
+/// By cell that came out otherwise or could not be drawn, what is to be said of it.
+std::vector<std::pair<std::size_t, std::string>> faultsOf(const RunPictures& pictures);
 
 /// The same with what fits into @p bytes of deflated chunks: film strips that show the least new go first,
 /// the last of the run first, then drawings in the same order.

@@ -16,7 +16,10 @@
 namespace gnomon {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Pair;
+using testing::SizeIs;
 
 const RunPictures& drawn() {
     static const RunPictures all = drawRun(smallRun().cells, smallRun().sources, 2);
@@ -133,17 +136,46 @@ TEST(RunPictures, AreTheSameWhoeverDrawsThem) {
         EXPECT_EQ(again.chunks[i].deflated, drawn().chunks[i].deflated);
 }
 
-TEST(RunPictures, NameTheCellThatComesOutOtherwise) {
+TEST(RunPictures, MarkTheCellThatComesOutOtherwise) {
     std::vector<Cell> cells = smallRun().cells;
     const std::size_t index = shownCells(cells).back();
     cells[index].digest = "0123456789abcdef";
-    try {
-        drawRun(cells, smallRun().sources, 2);
-        FAIL() << "it was drawn";
-    } catch (const std::runtime_error& error) {
-        EXPECT_THAT(error.what(),
-                    HasSubstr(cells[index].id() + ": drawn again, its digest is " +
-                              smallRun().cells[index].digest + ", but the run has 0123456789abcdef"));
+    ++cells[index].wrongEdge;
+    const RunPictures all = drawRun(cells, smallRun().sources, 2);
+    EXPECT_EQ(shownCells(cells).back(), index);
+    EXPECT_THAT(faultsOf(all), ElementsAre(Pair(index,
+                                                "drawn again, it differs from the run in wrong.edge, "
+                                                "digest")));
+    EXPECT_TRUE(faultsOf(drawn()).empty());
+    EXPECT_THAT(faultsOf(fitted(all, 0)), SizeIs(1)) << "what differs is said without its pictures too";
+}
+
+TEST(RunPictures, SayWhichCellIsRefusedNow) {
+    RunSources sources = smallRun().sources;
+    sources.profiles.at("tnt") = sources.profiles.at("ps1");
+    const RunPictures all = drawRun(smallRun().cells, sources, 2);
+    const auto faults = faultsOf(all);
+    ASSERT_FALSE(faults.empty());
+    bool isRefused = false;
+    for (const auto& [cell, what] : faults) {
+        EXPECT_EQ(smallRun().cells[cell].profile, "tnt");
+        isRefused = isRefused || what.find("drawn again: it is refused: the chip lacks") == 0;
+    }
+    EXPECT_TRUE(isRefused);
+}
+
+TEST(RunPictures, HaveThePassesOfWhatIsRefused) {
+    const std::vector<Cell>& cells = smallRun().cells;
+    const std::vector<std::size_t> refused = refusedCells(cells);
+    ASSERT_FALSE(refused.empty());
+    Lab lab(smallRun().request.scenes[0]);
+    EXPECT_EQ(drawn().refusedPlans.size(), refused.size());
+    for (const std::size_t i : refused) {
+        const Cell& cell = cells[i];
+        EXPECT_EQ(cell.frame, 0) << "of two frames the first";
+        const Plan plan = lab.plan(smallRun().sources.profiles.at(cell.profile), cell.axes, cell.width,
+                                   cell.height, cell.frame);
+        EXPECT_THAT(drawn().refusedPlans.at(i), HasSubstr(plan.passes.back().label)) << cell.id();
     }
 }
 
