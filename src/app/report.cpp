@@ -22,33 +22,48 @@ struct Options {
 };
 
 /// What is wrong with a scene or chip, said of the cell that names it.
+/// @param file  of it, and @p flag says where that is if it isn't found
 template <class Load>
-auto loadedFor(const RunRecord& run, std::size_t index, const Load& load) {
+auto loadedFor(const RunRecord& run, std::size_t index, const std::string& file, const char* flag,
+               const Load& load) {
     try {
         return load();
     } catch (const RunError&) {
         throw;
     } catch (const std::runtime_error& error) {
-        throw run.error(index, error.what());
+        std::error_code none;
+        if (std::filesystem::exists(file, none)) throw run.error(index, error.what());
+        throw run.error(index, fmt::format("{}; {} FILE says where it is", error.what(), flag));
     }
 }
 
-/// The scene of a cell.
+/// Where the scene of a cell stands: a file that was given, by its id or else by its name, or what the cell
+/// says. The same mesh has another id from another folder.
 /// @param files  by id: scenes that stand elsewhere than the shipped ones
+std::string fileOf(const std::string& scene, const std::map<std::string, std::string>& files) {
+    if (const auto file = files.find(scene); file != files.end()) return file->second;
+    const auto nameOf = [](const std::string& path) { return std::filesystem::path(path).filename(); };
+    for (const auto& [id, file] : files)
+        if (nameOf(file) == nameOf(scene)) return file;
+    return scene;
+}
+
+/// The scene of a cell.
 Scene sceneOf(const RunRecord& run, std::size_t index, const std::map<std::string, std::string>& files) {
     const Cell& cell = run.cells[index];
-    return loadedFor(run, index, [&] {
-        const auto file = files.find(cell.scene);
-        SceneOption option{.ids = {file == files.end() ? cell.scene : file->second}};
+    const std::string file = fileOf(cell.scene, files);
+    return loadedFor(run, index, file, "--scene", [&] {
+        SceneOption option{.ids = {file}};
         option.place(cell.view);
         std::vector<Scene> scenes = option.load();
-        if (scenes.size() != 1 || scenes.front().id != cell.scene)
-            throw run.error(index, fmt::format("no scene '{}' (--scene says where its file is)", cell.scene));
+        if (scenes.size() != 1 || (file == cell.scene && scenes.front().id != cell.scene))
+            throw run.error(index, fmt::format("no scene '{}'; --scene FILE says where it is", cell.scene));
+        scenes.front().id = cell.scene;
         return std::move(scenes.front());
     });
 }
 
-/// The chips of all cells, and the scenes of those that are to be drawn.
+/// The chips of all cells, and the scenes of those that are to be drawn or planned.
 RunSources sourcesOf(const RunRecord& run, const Options& options) {
     RunSources sources;
     if (!options.profiles.ids.empty())
@@ -59,12 +74,15 @@ RunSources sourcesOf(const RunRecord& run, const Options& options) {
     for (std::size_t i = 0; i < run.cells.size(); ++i) {
         const Cell& cell = run.cells[i];
         if (sources.profiles.contains(cell.profile)) continue;
-        loadedFor(run, i, [&] {
+        loadedFor(run, i, cell.profile, "--profile", [&] {
             sources.profiles.emplace(cell.profile, ProfileOption{.ids = {cell.profile}}.load().front());
             return 0;
         });
     }
-    for (const std::size_t i : shownCells(run.cells)) {
+    std::vector<std::size_t> planned = shownCells(run.cells);
+    const auto refused = refusedCells(run.cells);
+    planned.insert(planned.end(), refused.begin(), refused.end());
+    for (const std::size_t i : planned) {
         const Cell& cell = run.cells[i];
         auto at = sources.scenes.find({cell.scene, cell.view});
         if (at == sources.scenes.end())
@@ -90,17 +108,18 @@ int run(const Options& options) {
         if (options.output.isWanted() && std::filesystem::equivalent(file, options.output.file, error))
             throw UsageError(fmt::format("{}: is the run itself", options.output.file));
     const RunRecord last = readRun(options.runs.back());
-    if (!compares) {
-        options.output.write(last.cells, sourcesOf(last, options), options.jobs);
-        return 0;
+    const RunRecord first = compares ? readRun(options.runs.front()) : RunRecord{};
+    bool hasFaults = false;
+    if (options.output.isWanted()) {
+        const auto faults =
+            options.output.write(last.cells, sourcesOf(last, options), options.jobs, first.cells);
+        sayFaults(faults, [&](std::size_t i) { return last.error(i, last.cells[i].id()).what(); });
+        hasFaults = !faults.empty();
     }
-    const RunRecord first = readRun(options.runs.front());
-    const auto changes = changesBetween(first.cells, last.cells);
-    if (options.output.isWanted())
-        options.output.write(last.cells, sourcesOf(last, options), options.jobs, first.cells);
-    fmt::print("{}",
-               showChanges(changes, first.cells.size(), last.cells.size(), options.format.value().format));
-    return changes.empty() ? 0 : 1;
+    const auto changes = compares ? changesBetween(first.cells, last.cells) : std::vector<ChangeGroup>{};
+    if (compares)
+        fmt::print("{}", showChanges(changes, first.cells.size(), last.cells.size(), options.format.value()));
+    return hasFaults ? 3 : changes.empty() ? 0 : 1;
 }
 
 }  // namespace

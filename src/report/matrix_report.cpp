@@ -341,7 +341,9 @@ std::string predictionText(const std::vector<Cell>& cells, std::size_t width) {
         if (cell.unpredicted > 0) where.push_back(fmt::format("{} ({})", cell.id(), cell.unpredicted));
     }
     if (drawn == 0) return {};
-    if (unpredicted == 0) return "Every untied pixel of every mask holds what exact arithmetic predicts.\n\n";
+    if (unpredicted == 0)
+        return wrapText("Every untied pixel of every mask holds what exact arithmetic predicts.", 0, width) +
+               "\n\n";
     constexpr std::size_t kMost = 8;
     const std::size_t all = where.size();
     if (all > kMost) where.resize(kMost);
@@ -374,10 +376,8 @@ std::string matrixText(const std::vector<Cell>& cells, const Page& page) {
     return text +
            wrapText(
                "exact: every untied pixel is as exact ray tracing says; edge, WRONG: wrong pixels in all "
-               "frames, "
-               "at the boundary of shadows or away from it; 2/3: scene passes / full-window rectangles; *: "
-               "the "
-               "path that gnomon takes on this chip; -: refused.",
+               "frames, at the boundary of shadows or away from it; 2/3: scene passes / full-window "
+               "rectangles; *: the path that gnomon takes on this chip; -: refused.",
                0, page.width) +
            "\n";
 }

@@ -92,6 +92,25 @@ Json wholeOf(const Cell& cell) {
     return json;
 }
 
+std::string plain(const Json& value) {
+    return value.is_null() ? "" : value.is_string() ? std::string(value) : value.dump();
+}
+
+/// A value for people: what a chip lacks and why pixels are wrong in words.
+std::string words(const std::string& key, const Json& value) {
+    std::vector<std::string> parts;
+    if (key == "missing" && value.is_array())
+        for (const Json& m : value) parts.push_back(fmt::format("{}", plain(m.at("what"))));
+    else if (key == "causes" && value.is_object())
+        for (const auto& [cause, pixels] : value.items())
+            parts.push_back(fmt::format("{} ({})", cause, plain(pixels)));
+    else
+        return value.is_null()     ? "none"
+               : value.is_string() ? fmt::format("\"{}\"", plain(value))
+                                   : plain(value);
+    return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string changeText(const CellChange& change) {
     if (change.before.is_null() || change.after.is_null()) {
         const Json& cell = change.before.is_null() ? change.after : change.before;
@@ -99,11 +118,12 @@ std::string changeText(const CellChange& change) {
     }
     std::vector<std::string> parts;
     for (const auto& [key, old] : change.before.items())
-        parts.push_back(fmt::format("{} {} -> {}", key, old.dump(), change.after.at(key).dump()));
+        parts.push_back(fmt::format("{} {} -> {}", key, words(key, old), words(key, change.after.at(key))));
     return fmt::format("{}: {}", change.cell, fmt::join(parts, "; "));
 }
 
-std::string changesText(const std::vector<ChangeGroup>& groups, std::size_t before, std::size_t after) {
+std::string changesText(const std::vector<ChangeGroup>& groups, std::size_t before, std::size_t after,
+                        std::size_t width) {
     std::size_t all = 0;
     for (const ChangeGroup& group : groups) all += group.cells.size();
     std::string text = fmt::format("{} cells before, {} after: ", before, after);
@@ -111,27 +131,30 @@ std::string changesText(const std::vector<ChangeGroup>& groups, std::size_t befo
     for (const ChangeGroup& group : groups) {
         const std::size_t count = group.cells.size();
         text += fmt::format(
-            "\n{}\n", wrapText(fmt::format("{} ({} cell{})", group.cause, count, count == 1 ? "" : "s"), 2));
+            "\n{}\n",
+            wrapText(fmt::format("{} ({} cell{})", group.cause, count, count == 1 ? "" : "s"), 2, width));
         for (std::size_t i = 0; i < std::min(count, kShownCells); ++i)
-            text += fmt::format("  {}\n", wrapText(changeText(group.cells[i]), 4));
+            text += fmt::format("  {}\n", wrapText(changeText(group.cells[i]), 4, width));
         if (count > kShownCells) text += fmt::format("  and {} more\n", count - kShownCells);
     }
     return text;
 }
 
-std::string plain(const Json& value) {
-    return value.is_null() ? "" : value.is_string() ? std::string(value) : value.dump();
-}
-
+/// A row of each value that differs; a cell of one run only has one, with its verdict.
 std::string changesCsv(const std::vector<ChangeGroup>& groups) {
     std::string text = csvLine({"cause", "cell", "key", "old", "new"});
     for (const ChangeGroup& group : groups)
         for (const CellChange& change : group.cells) {
-            const Json& keys = change.before.is_null() ? change.after : change.before;
-            for (const auto& [key, value] : keys.items())
-                text += csvLine({group.cause, change.cell, key,
-                                 change.before.is_null() ? "" : plain(change.before.at(key)),
-                                 change.after.is_null() ? "" : plain(change.after.at(key))});
+            if (change.before.is_null() || change.after.is_null()) {
+                const auto verdict = [](const Json& cell) {
+                    return cell.is_null() ? "" : plain(cell.at("verdict"));
+                };
+                text += csvLine(
+                    {group.cause, change.cell, "verdict", verdict(change.before), verdict(change.after)});
+                continue;
+            }
+            for (const auto& [key, old] : change.before.items())
+                text += csvLine({group.cause, change.cell, key, plain(old), plain(change.after.at(key))});
         }
     return text;
 }
@@ -164,9 +187,9 @@ std::vector<ChangeGroup> changesBetween(const std::vector<Cell>& before, const s
 }
 
 std::string showChanges(const std::vector<ChangeGroup>& groups, std::size_t cellsBefore,
-                        std::size_t cellsAfter, Format format) {
-    if (format == Format::Csv) return changesCsv(groups);
-    if (format == Format::Text) return changesText(groups, cellsBefore, cellsAfter);
+                        std::size_t cellsAfter, const Page& page) {
+    if (page.format == Format::Csv) return changesCsv(groups);
+    if (page.format == Format::Text) return changesText(groups, cellsBefore, cellsAfter, page.width);
     const Json json{{"old", {{"cells", cellsBefore}}},
                     {"new", {{"cells", cellsAfter}}},
                     {"changes", changesJson(groups)}};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "matrix/cell.h"
-#include "report/listings.h"
+#include "report/page.h"
 
 namespace gnomon {
 
@@ -28,9 +28,10 @@ struct ChangeGroup {
 /// group. Times, and on what and by whose clock they were taken, are no changes.
 std::vector<ChangeGroup> changesBetween(const std::vector<Cell>& before, const std::vector<Cell>& after);
 
-/// For people, by group with at most a few cells of each; JSON and CSV have all.
+/// For people, by group with at most a few cells of each; JSON and CSV have all. In CSV a cell of one run
+/// only is one row, with its verdict.
 std::string showChanges(const std::vector<ChangeGroup>& groups, std::size_t cellsBefore,
-                        std::size_t cellsAfter, Format format);
+                        std::size_t cellsAfter, const Page& page);
 
 /// A list of groups: cause, and cells with their old and new values.
 nlohmann::ordered_json changesJson(const std::vector<ChangeGroup>& groups);

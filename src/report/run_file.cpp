@@ -179,6 +179,9 @@ std::string cellFault(const Cell& c) {
     for (int d = 0; d < kDevices; ++d) isDevice = isDevice || c.device == name(Device(d));
     if (!isDevice) return fmt::format("no such device '{}'", c.device);
     if (const auto why = contradiction(c.axes); why && !c.axes.automatic) return *why;
+    const std::string drawn = methodId(c.axes);
+    if (const std::string& named = c.drawnBy.empty() ? c.method : c.drawnBy; drawn != named)
+        return fmt::format("no method '{}': the axes of this cell are those of '{}'", named, drawn);
     for (const std::string* word : {&c.profile, &c.method, &c.scene})
         if (word->empty()) return "a cell without profile, method or scene";
     return {};

@@ -14,6 +14,7 @@
 namespace gnomon {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using Json = nlohmann::ordered_json;
@@ -173,16 +174,50 @@ TEST_F(ReportCommand, DrawsCellsAgainFromTheirRecordsAlone) {
     }
 }
 
+// The page is written all the same, and marks the cell.
 TEST_F(ReportCommand, SaysWhichCellComesOutOtherwise) {
+    const std::string good = write("good.json", smallRun());
     std::string text = smallRun();
     const std::size_t at =
         text.find("\"digest\":\"", text.find("voodoo2/roettger-screen/boxes/48x36/0\"")) + 10;
     text.replace(at, 16, "0000000000000000");
-    const Outcome outcome = run({"report", write("run.json", text), "-o", pathOf("a.html")});
+    const std::string bad = write("run.json", text);
+    const Outcome outcome = run({"report", bad, "-o", pathOf("a.html")});
     EXPECT_EQ(outcome.status, 3);
-    EXPECT_THAT(outcome.err, HasSubstr("voodoo2/roettger-screen/boxes/48x36/0: drawn again, its digest is "));
-    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-    EXPECT_THAT(leftBehind(), testing::ElementsAre("run.json"));
+    EXPECT_THAT(outcome.err, testing::MatchesRegex(
+                                 ".*run.json:[0-9]+: voodoo2/roettger-screen/boxes/48x36/0: drawn again, it "
+                                 "differs from the run in digest\n"));
+    int marked = 0;
+    const Json shown = runOf(page("a.html"));
+    for (const Json& drawing : shown.at("drawings"))
+        if (drawing.contains("differs")) {
+            EXPECT_EQ(drawing.at("differs"), Json({"digest"}));
+            ++marked;
+        }
+    EXPECT_EQ(marked, 1);
+    const Outcome compared = run({"report", good, bad, "-o", pathOf("b.html")});
+    EXPECT_EQ(compared.status, 3);
+    EXPECT_THAT(compared.out, HasSubstr("24 cells before, 24 after: 1 differ\n"));
+    EXPECT_THAT(compared.err, HasSubstr("drawn again, it differs"));
+}
+
+TEST_F(ReportCommand, FindsFilesByTheirNames) {
+    std::filesystem::create_directory(pathOf("there"));
+    std::filesystem::create_directory(pathOf("here"));
+    const std::string mesh = write("there/tent.obj",
+                                   "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0.3 1 0.3\n"
+                                   "f 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n");
+    const Outcome matrix = run({"matrix", mesh, "--profile", "ideal", "--method", "carmack", "--size",
+                                "32x24", "--frames", "0", "--format", "json"});
+    ASSERT_EQ(matrix.status, 0) << matrix.err;
+    const std::string file = write("run.json", matrix.out);
+    std::filesystem::rename(mesh, pathOf("here/tent.obj"));
+    const Outcome lost = run({"report", file, "-o", pathOf("a.html")});
+    EXPECT_EQ(lost.status, 2);
+    EXPECT_THAT(lost.err, AllOf(HasSubstr("run.json:1: "), HasSubstr("--scene FILE says where it is\n")));
+    const Outcome found = run({"report", file, "--scene", pathOf("here/tent.obj"), "-o", pathOf("a.html")});
+    EXPECT_EQ(found.status, 0) << found.err;
+    EXPECT_EQ(runOf(page("a.html")).at("drawings").size(), 1u);
 }
 
 TEST_F(ReportCommand, RefusesBadFilesInOneLine) {

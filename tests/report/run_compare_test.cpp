@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <sstream>
+
 namespace gnomon {
 namespace {
 
@@ -100,9 +102,27 @@ TEST(RunCompare, GroupsCellsAndPutsTheGravestGroupFirst) {
     EXPECT_THAT(text, HasSubstr("  gone/roettger-screen/boxes/320x240/0: edge\n"));
     EXPECT_THAT(showChanges(groups, 7, 7, Format::Csv),
                 HasSubstr("passes: 2/4/3/0 -> 2/4/3/1,tnt/roettger-screen/boxes/320x240/4,passes.copy,0,1"));
+    EXPECT_THAT(showChanges(groups, 7, 7, Format::Csv),
+                HasSubstr("only in the old run,gone/roettger-screen/boxes/320x240/0,verdict,edge,\r\n"
+                          "only in the new run,new/roettger-screen/boxes/320x240/0,verdict,,edge\r\n"));
     const auto json = nlohmann::ordered_json::parse(showChanges(groups, 7, 7, Format::Json));
     EXPECT_EQ(json["changes"].size(), 4u);
     EXPECT_EQ(json["changes"][1]["cells"].size(), 5u);
+}
+
+TEST(RunCompare, SaysInWordsWhatAChipLacksAndFitsItsPage) {
+    Cell before = cellOf("tnt"), after = cellOf("tnt");
+    after.verdict = Verdict::Refused;
+    after.causes = {};
+    after.missing = {{"stencil_bits", "a stencil buffer", "manual, page 3"}};
+    Page narrow;
+    narrow.width = 40;
+    const std::string text = showChanges(changesBetween({before}, {after}), 1, 1, narrow);
+    EXPECT_THAT(text, HasSubstr("verdict \"edge\" -> \"refused\"; missing\n"));
+    EXPECT_THAT(text, HasSubstr("none -> a stencil buffer; causes\n"));
+    EXPECT_THAT(text, HasSubstr("mask clamps (5) -> none\n"));
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 40u) << line;
 }
 
 // One id stands for cells of several shades; each is compared with its own.

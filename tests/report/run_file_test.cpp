@@ -145,6 +145,14 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"Fidelity", [](Json& j) { j["fidelity"] = "none"; }, "no such fidelity 'none'"},
         Damage{"Effects", [](Json& j) { j["effects"] = "some"; }, "no such effects"},
         Damage{"OtherId", [](Json& j) { j["cell"] = "a/b/c/1x1/0"; }, "'cell' is"},
+        Damage{"OtherMethod",
+               [](Json& j) {
+                   j["method"] = "no-such-method";
+                   std::string id = j["cell"];
+                   const std::size_t at = id.find('/') + 1;
+                   j["cell"] = id.replace(at, id.find('/', at) - at, "no-such-method");
+               },
+               "no method 'no-such-method': the axes of this cell are those of '"},
         Damage{"Contradiction", [](Json& j) { j["store"] = "stencil"; }, "double"},
         Damage{"Cause", [](Json& j) { j["causes"]["mask clamps"] = "many"; }, "'causes.mask clamps'"},
         Damage{"Missing", [](Json& j) { j["missing"] = {3}; }, "'missing' has what is no object"},
