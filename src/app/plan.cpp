@@ -34,16 +34,12 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
                   const Axes& asked) {
     const auto [width, height] = size;
     const int frame = options.frame;
-    Axes axes = asked;
+    const Axes axes = chosenAxes(lab, profile, asked, width, height, frame);
     PlanSheet sheet{.method = methodId(asked),
                     .shade = name(asked.shade),
                     .profile = profile.id,
                     .scene = lab.scene().id,
                     .frame = frame};
-    if (asked.automatic) {
-        const auto all = gnomon::options(lab, profile, asked.shade, width, height, frame);
-        axes = choose(lab, profile, all, width, height, frame).option.axes;
-    }
     sheet.plan = lab.plan(profile, axes, width, height, frame);
     sheet.missing = lab.missingFor(profile, axes, sheet.plan);
     const bool isDerived = options.explain || asked.automatic || options.effects.value();

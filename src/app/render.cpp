@@ -10,6 +10,7 @@
 #include "app/path.h"
 #include "app/show.h"
 #include "gl/stopwatch.h"
+#include "matrix/choice.h"
 #include "matrix/film_strip.h"
 #include "report/cause_picture.h"
 #include "report/matrix_report.h"
@@ -154,9 +155,13 @@ int run(const Options& options) {
     if (!axes) return 1;
 
     std::function<void(Surface&, std::size_t)> steps;
-    const Plan plan = lab.plan(profile, *axes, size.width, size.height, options.frame);
-    if (!options.steps.empty() && lab.missingFor(profile, *axes, plan).empty())
-        steps = stepWriter(options.steps, plan);
+    if (!options.steps.empty()) {
+        // As Lab::run() draws what is chosen; its mask may stand in any buffer.
+        if (axes->automatic && !lab.simulated()) lab.simulate(Effects::none());
+        const Axes drawn = chosenAxes(lab, profile, *axes, size.width, size.height, options.frame);
+        const Plan plan = drawnPlan(lab, profile, drawn, size.width, size.height, options.frame);
+        if (lab.missingFor(profile, drawn, plan).empty()) steps = stepWriter(options.steps, plan);
+    }
     Pictures pictures;
     Cell cell = lab.run(profile, *axes, size.width, size.height, options.frame, &pictures, steps);
     cell.chosen = options.methods.isEmpty();

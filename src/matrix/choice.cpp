@@ -90,4 +90,10 @@ Choice choose(Lab& lab, const Profile& profile, const std::vector<Option>& optio
     return {.option = best ? *best : options.front(), .proof = Proof::None, .wrong = fewest};
 }
 
+Axes chosenAxes(Lab& lab, const Profile& profile, const Axes& axes, int width, int height, int frame) {
+    if (!axes.automatic) return axes;
+    const auto all = options(lab, profile, axes.shade, width, height, frame);
+    return choose(lab, profile, all, width, height, frame).option.axes;
+}
+
 }  // namespace gnomon

@@ -32,4 +32,7 @@ struct Choice {
 Choice choose(Lab& lab, const Profile& profile, const std::vector<Option>& options, int width, int height,
               int frame);
 
+/// @p axes themselves, or those that automatic ones take in this frame.
+Axes chosenAxes(Lab& lab, const Profile& profile, const Axes& axes, int width, int height, int frame);
+
 }  // namespace gnomon

@@ -505,6 +505,22 @@ TEST_F(Program, WritesPicturesOfTheRightSize) {
     EXPECT_EQ(steps, plan[0]["passes"].size());
 }
 
+// The Voodoo2 has no stencil, so that what is chosen there counts elsewhere than the method's usual axes say.
+TEST_F(Program, WritesTheBuffersOfWhatIsChosen) {
+    const Outcome outcome = run({"render", "boxes", "--size", "48x36", "--profile", "voodoo2", "--method",
+                                 "auto", "--steps", pathOf("steps")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json plan = Json::parse(run({"plan", "boxes", "--size", "48x36", "--profile", "voodoo2", "--method",
+                                       "auto", "--format", "json"})
+                                      .out);
+    std::size_t steps = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(pathOf("steps"))) {
+        steps += entry.path().string().ends_with("-colour.png");
+        EXPECT_THAT(entry.path().string(), Not(HasSubstr("stencil")));
+    }
+    EXPECT_EQ(steps, plan[0]["passes"].size());
+}
+
 TEST_F(Program, RefusesToRenderWhatTheChipCantNamingWhatIsMissing) {
     const Outcome outcome =
         run({"render", "--profile", "voodoo2", "--method", "roettger-alpha", "-o", pathOf("image.png")});
