@@ -7,6 +7,7 @@
 
 #include "app/options.h"
 #include "app/reproduce.h"
+#include "app/terminal.h"
 #include "matrix/lab.h"
 #include "volume/mesh_facts.h"
 
@@ -63,7 +64,10 @@ int reproduceAldridge(const ReproduceOptions& options) {
     }
     Lab lab(std::move(scene));
     lab.drawOn(options.device);
-    const auto times = lab.frameTimes(ways, size.width, size.height, 0, run.repeats);
+    TerminalProgress bar("frames");
+    const auto times = lab.frameTimes(ways, size.width, size.height, 0, run.repeats, false,
+                                      [&](const Progress& at) { bar.show(at); });
+    bar.clear();
     for (std::size_t i = 0; i < ways.size(); ++i)
         for (const FrameTime& time : times[i]) run.rows[i].frameMs.push_back(time.total());
     fmt::print("{}", showAldridge(run, options.page));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <optional>
 
@@ -14,6 +15,8 @@
 
 namespace gnomon {
 namespace {
+
+constexpr std::array kSizes{256, 512, 1024};  ///< of Table 2: sides of the window, pixels
 
 /// Table 1, counted at the capability layer and in the plan.
 std::vector<Comparison> countedTable1(Device device) {
@@ -43,12 +46,16 @@ std::vector<Table2Cell> modelledCells(const Profile& profile) {
     Lab lab(scenes.load({"roettger"}).front());
     std::vector<Table2Cell> cells = roettgerTable2();
     const auto length = int(lab.scene().frames.size());
-    for (const int size : {256, 512, 1024})
-        for (int i = 0; i < kFrames; ++i)
+    TerminalProgress bar("frames");
+    Progress at{.all = kSizes.size() * kFrames};
+    for (const int size : kSizes)
+        for (int i = 0; i < kFrames; ++i, ++at.done) {
+            bar.show(at);
             for (Table2Cell& cell : cells)
                 if (cell.size == size)
                     cell.frames.push_back(lab.fullCost(profile, findMethod(cell.method)->axes, size, size,
                                                        i * length / kFrames));
+        }
     return cells;
 }
 
@@ -60,13 +67,15 @@ std::vector<double> measuredTable2(const Profile& profile, const std::vector<Tab
     Lab lab(scenes.load({"roettger"}).front());
     lab.drawOn(device);
     std::vector<double> ratiosOfCells;
-    for (const int size : {256, 512, 1024}) {
+    TerminalProgress bar("frames");
+    for (const int size : kSizes) {
         std::vector<TimedWay> ways;
         for (const Table2Cell& cell : cells)
             if (cell.size == size)
                 ways.push_back({.profile = profile, .axes = findMethod(cell.method)->axes});
         std::vector<std::vector<double>> times;
-        for (const auto& way : lab.frameTimes(ways, size, size, 0, kRounds)) {
+        for (const auto& way :
+             lab.frameTimes(ways, size, size, 0, kRounds, false, [&](const Progress& at) { bar.show(at); })) {
             std::vector<double>& all = times.emplace_back();
             for (const FrameTime& time : way) all.push_back(time.total());
         }

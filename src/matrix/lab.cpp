@@ -342,7 +342,8 @@ int Lab::wrongPixels(const Profile& profile, const MinimalPlan& minimal, int wid
 }
 
 std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> ways, int width, int height,
-                                                    int frame, int repeats, bool byPass) {
+                                                    int frame, int repeats, bool byPass,
+                                                    const ProgressListener& progress) {
     Impl& m = *m_impl;
     m.select({width, height, frame});
     const auto effects = m.effects;
@@ -355,8 +356,10 @@ std::vector<std::vector<FrameTime>> Lab::frameTimes(std::span<const TimedWay> wa
         if (way.shaderVolumes) drawings.back().plan = withShaderVolumes(std::move(drawings.back().plan));
     }
     std::vector<std::vector<FrameTime>> times(ways.size());
+    Progress at{.all = ways.size() * (std::size_t(repeats) + 1)};
     for (int round = 0; round <= repeats; ++round)
-        for (std::size_t i = 0; i < ways.size(); ++i) {
+        for (std::size_t i = 0; i < ways.size(); ++i, ++at.done) {
+            if (progress) progress(at);
             as(ways[i]);
             const FrameTime time = m.timed(ways[i].profile, drawings[i], byPass);
             if (round > 0) times[i].push_back(time);

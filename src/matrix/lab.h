@@ -15,6 +15,7 @@
 #include "matrix/frame_predictor.h"
 #include "matrix/frame_time.h"
 #include "matrix/judge.h"
+#include "matrix/progress.h"
 #include "needs/minimal_plan.h"
 #include "predict/causes.h"
 #include "scene/scene.h"
@@ -69,9 +70,11 @@ class Lab {
 
     /// What a frame takes, drawn in several ways in turn: by @p ways, of each @p repeats times after one that
     /// is not counted. Nothing is judged, and nothing that was built before is used, but the scene's edges.
-    /// @param byPass  waits after each pass, for FrameTime::maskMs
+    /// @param byPass    waits after each pass, for FrameTime::maskMs
+    /// @param progress  in drawn frames, before each
     std::vector<std::vector<FrameTime>> frameTimes(std::span<const TimedWay> ways, int width, int height,
-                                                   int frame, int repeats, bool byPass = false);
+                                                   int frame, int repeats, bool byPass = false,
+                                                   const ProgressListener& progress = {});
 
     /// The full plan of a cell.
     Plan plan(const Profile& profile, const Axes& axes, int width, int height, int frame);
