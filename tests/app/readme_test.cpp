@@ -88,15 +88,43 @@ TEST_F(Readme, ContentsNameEverySectionInItsOrder) {
     EXPECT_GE(sections.size(), 10u);
 }
 
+/// The README's block of code in @p language number @p index.
+std::string codeOf(const std::string& readme, const std::string& language, int index) {
+    const std::string fence = fmt::format("```{}\n", language);
+    std::size_t begin = 0;
+    for (int i = 0; i <= index; ++i) begin = readme.find(fence, begin) + fence.size();
+    return readme.substr(begin, readme.find("```", begin) - begin);
+}
+
 // The chip of the README is a chip.
 TEST_F(Readme, ToyChipWorks) {
-    const std::string readme = contentOf(kReadme), fence = "```toml\n";
-    const std::size_t begin = readme.find(fence) + fence.size();
-    const std::string toy = write("toy.toml", readme.substr(begin, readme.find("```", begin) - begin));
+    const std::string toy = write("toy.toml", codeOf(contentOf(kReadme), "toml", 0));
     EXPECT_EQ(run({"profiles", toy}).status, 0);
     const Outcome outcome = run({"matrix", "boxes", "--frames", "0", "--size", "64x48", "--profile", toy});
     EXPECT_EQ(outcome.status, 0) << outcome.err;
     EXPECT_THAT(outcome.out, testing::ContainsRegex("\nroettger-screen +exact "));
+}
+
+// Its scene has a shadow to draw.
+TEST_F(Readme, SceneWorks) {
+    const std::string scene = write("my.toml", codeOf(contentOf(kReadme), "toml", 1));
+    const Outcome outcome =
+        run({"matrix", scene, "--size", "64x48", "--profile", "ideal", "--method", "none,carmack"});
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, testing::ContainsRegex("\nnone +WRONG "));
+    EXPECT_THAT(outcome.out, testing::ContainsRegex("\ncarmack +exact "));
+}
+
+std::string withoutSpace(std::string text) {
+    std::erase_if(text, [](unsigned char c) { return std::isspace(c); });
+    return text;
+}
+
+// Its method stands where it says.
+TEST_F(Readme, MethodIsOneOfTheSource) {
+    const std::string names =
+        contentOf(std::filesystem::path(GNOMON_SOURCE) / "src" / "method" / "names.cpp");
+    EXPECT_THAT(withoutSpace(names), testing::HasSubstr(withoutSpace(codeOf(contentOf(kReadme), "cpp", 0))));
 }
 
 TEST_F(Readme, MapNamesEveryLayer) {
