@@ -153,7 +153,7 @@ function start(report) {
         problem(faults);
     }
 
-    const forTable = [...filters, 'text', 'changed', 'sort', 'figure', 'across', 'look'], forPlots = [...filters, 'text', 'changed', 'chip', 'path', 'mark'];
+    const forTable = [...filters, 'text', 'changed', 'sort', 'figure', 'across', 'look'], forPlots = [...filters, 'text', 'changed', 'chip', 'path'];
     /// @param names  what changed of the state
     function render(names) {
         const any = (list) => names.some((name) => list.includes(name));
@@ -169,6 +169,7 @@ function start(report) {
             const rows = new Set(shown.rows), keep = keeper(cells, state);
             later(() => plots.update(shown, (cell) => keep(cell) && rows.has(rowOf(cells, cell)), scenes, state));
         }
+        if (names.includes('mark')) plots.mark(state.mark);
         dialog.show(state.cell ? cells.find(state.cell) : -1, state);
         problem(faults);
     }

@@ -108,7 +108,7 @@ export function pathSpec(rows, colours, width) {
     const stores = [...new Set(rows.map((row) => row.store))];
     const [first, last] = [frames[0], frames.at(-1)];
     // Room for the names at the right.
-    const share = Math.min(0.5, (30 + Math.max(...methods.map(widthOf))) / Math.max(1, width - 60));
+    const share = Math.min(0.68, (30 + Math.max(...methods.map(widthOf))) / Math.max(1, width - 60));
     const turns = methods.map((method) => {
         const { store } = rows.find((row) => row.method === method);
         return dashes[methods.filter((other) => rows.find((row) => row.method === other).store === store).indexOf(method) % dashes.length];

@@ -154,10 +154,11 @@ export function plotSection(report, change) {
         states.showGraph(state.edges.map(({ from, to, label }) => ({ profile: state.profile, method: state.method, from, to, label })), stateGraph(state));
     };
     let last = null, onPaper = false;
+    const showMarks = () => marks.show(last.shown.rows.map((row) => last.shown.entry(row, chip.value)).filter((entry) => entry && isDrawn(entry.verdict)), last.mark);
     const draw = () => {
         if (!last) return;
-        const { shown, keep, mark } = last;
-        marks.show(shown.rows.map((row) => shown.entry(row, chip.value)).filter((entry) => entry && isDrawn(entry.verdict)), mark);
+        const { shown, keep } = last;
+        showMarks();
         accuracy.show(accuracyRows(shown, chip.value), accuracySpec, onPaper, accuracyLabels);
         path.show(pathRows(cells, keep, chip.value, scene.value, (method) => stores.get(method)), pathSpec, onPaper, pathLabels);
         passes.show(passRows(shown, chip.value), passSpec, onPaper);
@@ -176,6 +177,12 @@ export function plotSection(report, change) {
         toPaper(is) {
             onPaper = is;
             draw();
+        },
+        /// Marks methods for good, without drawing anything again.
+        mark(methods) {
+            if (!last) return;
+            last.mark = methods;
+            showMarks();
         },
         /// @param shown  of table(), as the filters leave it
         update(shown, keep, scenes, state) {

@@ -15,7 +15,9 @@ describe('report page', { skip }, () => {
 
     test('opens from disk without a request or a word on the console', { plots: true }, async (tab) => {
         assert.match(tab.url(), /^file:/);
-        assert.equal(await tab.locator('h1').count(), 1);
+        assert.deepEqual((await tab.locator('h1').allTextContents()).map(plain), ['8 shadow methods on 5 graphics chips, in 2 scenes of 3 frames: 240 cells']);
+        assert.equal(await tab.locator('#result').textContent(), 'roettger-screen is exact in every scene and frame on 5 of 5 chips, more than any other method. Every chip has one that is. 2 cells failed, by a fault of gnomon or of the driver.');
+        assert.ok((await tab.locator('#result').boundingBox()).y < (await tab.locator('.answer').boundingBox()).y);
         assert.equal(plain(await shown(tab)), '8 methods on 5 chips: 240 cells of 240');
     });
 
@@ -29,6 +31,9 @@ describe('report page', { skip }, () => {
 
     test('says what a cell of the table holds, in words as well as in colours', {}, async (tab) => {
         assert.equal(await entry(tab, 'heidmann', 'voodoo2').getAttribute('aria-label'), 'heidmann on voodoo2: refused for want of stencil; destination alpha beside depth');
+        // Its frames have 1, 7 and 13 scene passes.
+        assert.match(await entry(tab, 'heidmann', 'tnt').getAttribute('aria-label'), /, 1 to 13 scene passes, 1 rectangle,/);
+        assert.match(await entry(tab, 'heidmann', 'tnt').locator('.passes').textContent(), /^1\u201313\/1$/);
         // Three frames of two scenes: the wrong pixels add up, the worst verdict counts.
         assert.match(await entry(tab, 'roettger-half', 'tnt').getAttribute('aria-label'), /: edge, 72 wrong pixels, 2 scene passes, 3 rectangles, [\d.]+ times/);
         assert.match(await entry(tab, 'williams', 'tnt').getAttribute('aria-label'), /: wrong, 166 wrong pixels/);
