@@ -141,7 +141,7 @@ function causes(report, cell) {
 }
 
 const elsewhere = new Set(['missing', 'causes', 'warnings', 'plan', 'drawing', 'profile', 'method', 'scene', 'frame', 'width', 'height', 'verdict', 'error']);
-const measured = /^(passes|touched|tied|wrong)\.|^(chosen|pixels|unpredicted|vertices|clock|cpu_ms|unshadowed_ms|digest)$/;
+const measured = /^(passes|touched|tied|wrong|nesting)\.|^(chosen|pixels|unpredicted|vertices|clock|cpu_ms|unshadowed_ms|digest)$/;
 
 /// All that the run has of a cell in numbers and words; what was measured only where it was.
 function figures(cells, cell) {

@@ -40,10 +40,12 @@ export function cellPictures(report, cell, mates, state, go, look) {
             box.replaceChildren(view.node);
             view.draw();
         }).catch(failed);
-    return [h('section', {}, h('h3', {}, 'Pictures'), box,
+    const strip = hasStrip(report, cell) ? filmStrip(drawing.strip, run.causes, get, state, look) : null;
+    return [h('section', {}, h('div.pictures-head', {}, h('h3', {}, 'Pictures'),
+        strip && h('button', { type: 'button', 'data-do': 'to-strip', onclick: () => strip.querySelector('.film').focus() }, 'To the film strip \u2193')), box,
         h('p.muted.keys', {}, 'Keys in a picture: arrows walk over pixels (with Shift by ten), + and \u2212 zoom, 0 fits, [ and ] move the divider, b blinks, s swaps. A click keeps its pixel in the address.')),
     h('section.film-section', {}, h('h3', {}, 'Film strip: the buffers after every pass'),
-        hasStrip(report, cell) ? filmStrip(drawing.strip, run.causes, get, state, look) : stripElsewhere(report, cell, mates, go))];
+        strip ?? stripElsewhere(report, cell, mates, go))];
 }
 
 function elsewhere({ cells }, cell, there, go, why) {

@@ -89,13 +89,14 @@ function start(report) {
     const factsOf = (entry) => [entry.row, entry.profile, profiles.get(entry.profile)?.name, profiles.get(entry.profile)?.kind, aboutMethod(entry.row),
         ...entry.missing.keys(), ...entry.causes.keys(), entry.error].filter(Boolean).join('\n').toLowerCase();
     const changes = changedCells(run.compare, cells);
+    const whole = table(cells, () => true, changes);
     const changedOnly = () => changes.size > 0 && state.changed !== 'all';
 
     const choices = Object.fromEntries(['profile', 'method', 'scene', 'frame'].map((name) => [name, cells.distinct(name).map(String)]));
     choices.frame.sort((a, b) => a - b);
     choices.size = [...new Set(Array.from({ length: cells.count }, (_, cell) => cells.size(cell)))];
     const known = {
-        ...choices, verdict: verdicts, mark: table(cells, () => true).rows, chip: choices.profile, path: choices.scene, figure: Object.keys(figureNames),
+        ...choices, verdict: verdicts, mark: whole.rows, chip: choices.profile, path: choices.scene, figure: Object.keys(figureNames),
         across: Object.keys(acrossNames), look: Object.keys(lookNames), changed: changes.size ? ['only', 'all'] : [],
     };
 
@@ -158,7 +159,8 @@ function start(report) {
     function render(names) {
         const any = (list) => names.some((name) => list.includes(name));
         if (any(forTable)) {
-            shown = leftOver(table(cells, keeper(cells, state), changes), entryKeeper(state, factsOf, changedOnly()));
+            const left = filters.some((name) => name !== 'verdict' && state[name]) ? table(cells, keeper(cells, state), changes) : whole;
+            shown = leftOver(left, entryKeeper(state, factsOf, changedOnly()));
             mendSort();
             showTable();
             bar.update(state, changedOnly(), { rows: shown.rows.length, profiles: shown.profiles.length, cells: shown.count, all: cells.count });
@@ -195,7 +197,7 @@ function start(report) {
     }
 
     document.getElementById('title').textContent = `${run.compare ? 'What changed between two runs. ' : ''}${runInWords(run, cells)}`;
-    document.getElementById('about').before(h('p.result', { id: 'result' }, answerOf(run, cells).join(' ')));
+    document.getElementById('about').before(h('p.result', { id: 'result' }, answerOf(run, cells, whole).join(' ')));
     document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program}`);
     document.title = `${run.command} \u00b7 gnomon report`;
     document.getElementById('tools').append(themeButton(() => plots.draw()));

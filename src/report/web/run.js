@@ -131,10 +131,12 @@ export function table(cells, keep, changed = new Set()) {
     return { rows: rows.names, profiles: profiles.names, all: () => there };
 }
 
+const passKinds = ['scene', 'volume', 'rectangle', 'copy'];
+
 function newEntry(row, profile, method) {
     return {
         row, profile, method, rank: 0, verdict: 'exact', chosen: false, edge: 0, interior: 0, wrong: 0, pixels: 0, tied: 0,
-        passes: { scene: null, volume: null, rectangle: null, copy: null }, ratios: [], ratio: NaN, missing: new Map(), causes: new Map(),
+        passes: Object.fromEntries(passKinds.map((kind) => [kind, null])), ratios: [], ratio: NaN, missing: new Map(), causes: new Map(),
         error: '', cells: [], drawn: 0, changed: 0, worst: -1, weight: [],
     };
 }
@@ -158,10 +160,10 @@ function addCell(entry, cells, cell, isChanged) {
     entry.wrong += wrong;
     entry.pixels += cells.number('pixels', cell);
     entry.tied += cells.number('tied.truth', cell) + cells.number('tied.count', cell);
-    if (isDrawn(cells.get('verdict', cell))) {
+    if (isDrawn(verdicts[rank])) {
         ++entry.drawn;
         entry.ratios.push(cells.ratio(cell));
-        for (const pass of Object.keys(entry.passes)) entry.passes[pass] = widened(entry.passes[pass], cells.number(`passes.${pass}`, cell));
+        for (const kind of passKinds) widen(entry.passes, kind, cells.number(`passes.${kind}`, cell));
     }
     if (isChanged) ++entry.changed;
     for (const { what, source } of cells.get('missing', cell) ?? []) entry.missing.set(what, source);
@@ -171,7 +173,11 @@ function addCell(entry, cells, cell, isChanged) {
     entry.cells.push(cell);
 }
 
-const widened = (range, value) => (range ? [Math.min(range[0], value), Math.max(range[1], value)] : [value, value]);
+function widen(ranges, kind, value) {
+    const range = (ranges[kind] ??= [value, value]);
+    if (value < range[0]) range[0] = value;
+    if (value > range[1]) range[1] = value;
+}
 
 /// The fewest and the most as "1–13", or as one number where they are the same; empty where nothing was drawn.
 export const rangeText = (range, to = '\u2013') => (!range ? '' : range[0] === range[1] ? String(range[0]) : `${range[0]}${to}${range[1]}`);

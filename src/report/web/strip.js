@@ -38,15 +38,16 @@ export function filmStrip(passes, causes, get, begin, look) {
     }, names.map((name) => h('option', { value: name, selected: name === state.buffer }, name)));
     const button = (label, step) => h('button', { type: 'button', 'aria-label': label, onclick: () => go(state.at + step) }, step < 0 ? '\u25c0' : '\u25b6');
     const node = h('div.strip', {},
-        h('div.row', {}, button('Pass before', -1), button('Next pass', 1), names.length > 1 ? h('label.field', {}, 'Buffer ', choice) : null),
-        film, h('div.caption', { 'aria-live': 'polite' }, title, why), large);
+        h('div.row', {}, button('Pass before', -1), button('Next pass', 1), names.length > 1 ? h('label.field', {}, 'Buffer ', choice) : null,
+            h('div.caption', { 'aria-live': 'polite' }, title, why)),
+        film, large);
     const bufferOf = (pass) => (state.buffer in pass.buffers ? state.buffer : Object.keys(pass.buffers)[0]);
 
     /// What is left of the window's height beside the strip's own parts and the head of the dialog.
     const room = () => {
         const head = node.closest('dialog')?.querySelector('.cell-head')?.offsetHeight ?? 0;
         const parts = [...node.children].filter((part) => part !== large).reduce((sum, part) => sum + part.offsetHeight + 8, 0);
-        return Math.max(120, 0.96 * window.innerHeight - head - parts - 130);
+        return Math.max(120, 0.96 * window.innerHeight - head - parts - 100);
     };
     film.addEventListener('focus', bringIntoView);
     film.addEventListener('keydown', (event) => {
@@ -87,9 +88,6 @@ export function filmStrip(passes, causes, get, begin, look) {
         const pass = passes[at];
         frames.forEach((frame, i) => frame.setAttribute('aria-selected', String(i === at)));
         film.setAttribute('aria-activedescendant', `pass-${at}`);
-        // Not scrollIntoView(): that would move the page too.
-        const box = frames[at];
-        film.scrollLeft = Math.max(Math.min(film.scrollLeft, box.offsetLeft - 8), box.offsetLeft + box.offsetWidth + 8 - film.clientWidth);
         title.textContent = `Pass ${pass.pass} of ${passes.length}: ${pass.title}`;
         why.textContent = pass.why ?? '';
         node.dataset.pass = pass.pass;
@@ -98,7 +96,11 @@ export function filmStrip(passes, causes, get, begin, look) {
         const name = bufferOf(pass);
         const before = at > 0 && passes[at - 1].buffers[name];
         if (before !== false && before !== undefined) here.unshift({ id: 'before', label: `${name} before`, picture: await get(before) });
-        if (asked !== state.asked || !here.length) return;
+        if (asked !== state.asked) return;
+        // By now the strip is laid out. Not scrollIntoView(): that would move the page too.
+        const box = frames[at];
+        film.scrollLeft = Math.max(Math.min(film.scrollLeft, box.offsetLeft - 8), box.offsetLeft + box.offsetWidth + 8 - film.clientWidth);
+        if (!here.length) return;
         const sameSize = here.filter(({ picture }) => picture.width === here.at(-1).picture.width && picture.height === here.at(-1).picture.height);
         const view = viewer(sameSize, causes, {
             label: 'Buffers after the pass', pair: ['before', name], divider: state.divider ?? 0, zoom: Number(state.zoom), pixel: pixelOf(state.pixel), height: room,

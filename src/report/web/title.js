@@ -1,6 +1,6 @@
 // What stands above the page: what was run, in words, and the answer in a few sentences.
 import { counted, h, plural, symbolOf } from './dom.js';
-import { table, verdicts } from './run.js';
+import { verdicts } from './run.js';
 
 const several = (number, one, many) => (number === 1 ? one : `${counted(number)} ${many}`);
 
@@ -21,8 +21,8 @@ function listed(names, what) {
 }
 
 /// The answer in sentences: the methods that are exact on most chips, chips without any, faults.
-export function answerOf(run, cells) {
-    const whole = table(cells, () => true);
+/// @param whole  of table(), of all cells
+export function answerOf(run, cells, whole) {
     const idle = new Set(run.methods.filter((method) => method.store === 'none').map((method) => method.id));
     const rows = new Map(), chips = new Set();
     for (const entry of whole.all()) {

@@ -31,7 +31,7 @@ describe('an opened cell of the report', { skip }, () => {
     test('refused: what the chip lacks, no figures, and the command that says why', { hash: '#cell=voodoo2/heidmann/boxes/48x36/0' }, async (tab) => {
         assert.match(await tab.locator('dialog .said').textContent(), /What the chip lacks.*stencil.*destination alpha beside depth/);
         const terms = await tab.locator('.figures-list dt').allTextContents();
-        for (const name of terms) assert.doesNotMatch(name, /passes|pixels|tied|wrong|unpredicted|cpu|unshadowed|digest|vertices|chosen/);
+        for (const name of terms) assert.doesNotMatch(name, /passes|nesting|pixels|tied|wrong|unpredicted|cpu|unshadowed|digest|vertices|chosen/);
         assert.ok(terms.includes('store'));
         assert.equal(await tab.locator('.command code').textContent(), 'gnomon plan boxes --profile voodoo2 --method heidmann --size 48x36 --frame 0');
         assert.match(await tab.locator('.rest').textContent(), /Why it is refused/);
@@ -79,14 +79,18 @@ describe('an opened cell of the report', { skip }, () => {
     });
 
     for (const [width, height] of [[1280, 900], [1920, 900], [360, 740], [1280, 700]])
-        test(`the film strip and its large picture are seen together at ${width}\u00d7${height}`, { hash: '#cell=tnt/roettger-half/boxes/48x36/0', width, height }, async (tab) => {
+        test(`the film strip and its large picture are seen together at ${width}\u00d7${height}`, { hash: '#cell=tnt/roettger-half/boxes/48x36/0&pass=5', width, height }, async (tab) => {
             await tab.locator('.strip .viewer').waitFor();
-            await tab.locator('.film').focus();
+            await tab.locator('[data-do=to-strip]').click();
             await tab.keyboard.press('ArrowRight');
-            await tab.waitForFunction(() => document.querySelector('.strip').dataset.pass === '2');
+            await tab.waitForFunction(() => document.querySelector('.strip').dataset.pass === '6');
             await tab.waitForFunction(() => ['.strip > .row', '.film', '.strip .caption h4', '.strip .viewer canvas'].every((part) => {
                 const box = document.querySelector(part).getBoundingClientRect();
                 return box.height > 10 && box.top >= 0 && box.bottom <= innerHeight;
+            }));
+            assert.ok(await tab.locator('.film').evaluate((film) => {
+                const [outer, inner] = [film, film.querySelector('[aria-selected=true]')].map((node) => node.getBoundingClientRect());
+                return inner.left >= outer.left && inner.right <= outer.right;
             }));
             assert.ok((await tab.locator('.strip canvas').last().boundingBox()).height >= 100);
         });

@@ -132,7 +132,7 @@ export function makeRun({ chipCount = chips.length, methodCount = methodRows.len
             width: 48, height: 36, frame, lights: 1, fidelity: 'gl', device: 'osmesa', effects: 'full', verdict, chosen: method === 'roettger-screen' && !['ideal', 'tnt'].includes(profile),
             missing: refused ? [{ capability: 'stencil', what: store === 'stencil' ? 'stencil' : 'blend equation max', source: 'M-TDFX: Napalm only' }, { capability: 'beside', what: 'destination alpha beside depth', source: 'MAME (as SST-1)' }] : [],
             causes: wrong ? { [cause]: wrong } : {},
-            'passes.scene': method === 'heidmann' ? 1 + 6 * frame : store === 'stencil' ? 1 : 2, 'passes.volume': 24, 'passes.rectangle': store === 'screen' ? 3 : 1, 'passes.copy': 0,
+            'passes.scene': method === 'heidmann' ? 1 + 6 * frame : store === 'stencil' ? 1 : 2, 'passes.volume': 24, 'passes.rectangle': store === 'screen' ? 3 : 1, 'passes.copy': 0, 'nesting.fronts': drawn ? 2 : 0,
             pixels: drawn ? 1728 : 0, 'tied.truth': drawn ? 5 : 0, 'tied.count': drawn ? 2 : 0, 'wrong.edge': verdict === 'edge' ? wrong : 0, 'wrong.interior': verdict === 'wrong' ? wrong : 0,
             unpredicted: 0, warnings: method === 'roettger-alpha' ? ['resolves 2 levels; up to 4 volumes may nest'] : [], vertices: 1056, clock: 'thread',
             cpu_ms: drawn ? Math.round(1000 * (0.9 + 3 * random() * (1 + cells.length % 5))) / 1000 : 0, unshadowed_ms: drawn ? 0.7 : 0, digest: '6c6f355706f7a9f6',
