@@ -4,7 +4,7 @@ import { changeList } from './compare.js';
 import { counted, h, plural, roving, say, symbolOf } from './dom.js';
 import { isDrawn, ratioText, rowOf } from './run.js';
 import { copy } from './save.js';
-import { explanation, planCommand, renderCommand } from './words.js';
+import { explanation, numberText, planCommand, renderCommand } from './words.js';
 
 /// @param report  {run, cells, pictures}
 /// @param acts    {changes: of changedCells(), go(cell), look(what is new of how it is looked at), link(): the cell's part of an
@@ -158,7 +158,7 @@ function figures(cells, cell) {
 }
 
 function valueText(value) {
-    if (typeof value === 'number' && Number.isInteger(value)) return counted(value);
+    if (typeof value === 'number') return Number.isInteger(value) ? counted(value) : numberText(value);
     if (typeof value === 'boolean') return value ? 'yes' : 'no';
     return typeof value === 'object' ? Object.entries(value).map(([key, inner]) => `${key} ${inner}`).join(', ') : String(value);
 }

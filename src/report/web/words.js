@@ -34,6 +34,15 @@ const divisor = { 0.5: '1/2', 0.25: '1/4' };
 /// A word as the shell takes it.
 const quoted = (word) => (/^[\w./,:=+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
+/// A number as it was written: a value of single precision stands in the run with more digits than it was given with.
+export function numberText(number) {
+    if (Number.isInteger(number) || Math.fround(number) !== number) return String(number);
+    for (let digits = 1; ; ++digits) {
+        const text = String(Number(number.toPrecision(digits)));
+        if (Math.fround(Number(text)) === number) return text;
+    }
+}
+
 /// A command about a cell's plan: scene, chip, method, size and frame.
 function planWords(cells, cell, methods, command) {
     const get = (name) => cells.get(name, cell);
@@ -60,7 +69,7 @@ function viewWords(cells, cell) {
     return [...effects, ...Object.entries(cells.get('view', cell) ?? {}).flatMap(([flag, value]) => [`--${flag}`, value])];
 }
 
-const commandOf = (words) => words.map((word) => quoted(String(word))).join(' ');
+const commandOf = (words) => words.map((word) => quoted(typeof word === 'number' ? numberText(word) : String(word))).join(' ');
 
 /// The command that draws a cell.
 export function renderCommand(cells, cell, methods) {

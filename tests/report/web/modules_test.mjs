@@ -11,7 +11,7 @@ import { Cells, median, nearestMate, table, verdicts } from '../../../src/report
 import { csvOf } from '../../../src/report/web/save.js';
 import { hashOf, initialState, keeper, stateOf } from '../../../src/report/web/state.js';
 import { sentenceOf, sortedLines, tableRows } from '../../../src/report/web/table.js';
-import { planCommand, renderCommand } from '../../../src/report/web/words.js';
+import { numberText, planCommand, renderCommand } from '../../../src/report/web/words.js';
 import { makeRun } from './fixture.mjs';
 
 const { run } = makeRun();
@@ -181,6 +181,10 @@ describe('report modules', () => {
     it('differences name what changed, nested ones with a dot', () => {
         assert.deepEqual(differences({ verdict: 'exact', wrong: { edge: 0, interior: 1 }, same: [1] }, { verdict: 'edge', wrong: { edge: 3, interior: 1 }, same: [1], more: 1 }),
             [{ key: 'verdict', before: 'exact', after: 'edge' }, { key: 'wrong.edge', before: 0, after: 3 }, { key: 'more', before: undefined, after: 1 }]);
+    });
+
+    it('a number of single precision is written as it was given', () => {
+        assert.deepEqual([Math.fround(0.02), 0.5, 3, 0.7, Math.fround(1 / 3)].map(numberText), ['0.02', '0.5', '3', '0.7', '0.33333334']);
     });
 
     it('changes of what is missing are words, source by source', () => {
