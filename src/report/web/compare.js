@@ -1,6 +1,6 @@
 // Two runs: only what changed, by the cause of the change.
 import { changeWords } from './change_words.js';
-import { h, plural, symbolOf } from './dom.js';
+import { counted, h, plural, symbolOf } from './dom.js';
 import { verdicts } from './run.js';
 
 const most = 200;  // lines of a group before the reader asks for more
@@ -13,37 +13,58 @@ export function changedCells(compare, cells) {
     return changed;
 }
 
+/// Changes by the kind of their cause, and within by the cause in words; a cause of one word is its own kind.
+/// @return  [{heading, number of cells, groups: [{words, cells}]}]
+export function changeKinds(compare) {
+    const kinds = new Map();
+    for (const { cause, cells } of compare.changes) {
+        const [kind] = cause.split(': '), words = causeWords(cause, cells[0], kind);
+        if (!kinds.has(kind)) kinds.set(kind, new Map());
+        kinds.get(kind).set(words, [...(kinds.get(kind).get(words) ?? []), ...cells]);
+    }
+    return [...kinds].map(([kind, groups]) => ({
+        heading: headings[kind] ?? `${kind[0].toUpperCase()}${kind.slice(1)}`,
+        number: [...groups.values()].reduce((sum, cells) => sum + cells.length, 0),
+        groups: [...groups].map(([words, cells]) => ({ words, cells })),
+    }));
+}
+
+const headings = { limits: 'What chips lack', passes: 'Passes: scene / volume / rectangle / copy' };
+
+/// "verdict: exact -> edge" under its heading: "exact → edge". Of lists of lacks, which all cells of a group share, what
+/// came and what went.
+function causeWords(cause, first, kind) {
+    if (kind === 'limits') return changeWords({ old: { missing: first.old.missing }, new: { missing: first.new.missing } }).map(({ what, text }) => `${what}: ${text}`).join('; ');
+    return (cause === kind ? cause : cause.slice(kind.length + 2)).replaceAll(' -> ', ' \u2192 ');
+}
+
+/// "12 cells changed since the old run: ..."
+export function changesInWords(compare) {
+    const kinds = changeKinds(compare), total = kinds.reduce((sum, kind) => sum + kind.number, 0);
+    if (!total) return 'No cell changed since the old run.';
+    const of = ({ heading, number }) => `${counted(number)} in \u201c${heading.split(':')[0].toLowerCase()}\u201d`;
+    return `${plural(total, 'cell')} changed since the old run: ${kinds.map(of).join(', ')}.`;
+}
+
 /// @param go  shows a cell, by its index
 export function compareSection(compare, command, cells, go) {
-    const total = compare.changes.reduce((sum, change) => sum + change.cells.length, 0);
-    const kinds = new Map();
-    for (const change of compare.changes) {
-        const [kind] = change.cause.split(': ');
-        kinds.set(kind, [...(kinds.get(kind) ?? []), change]);
-    }
     return h('section.compare', { 'aria-labelledby': 'compare-title' },
         h('h2', { id: 'compare-title' }, 'What changed'),
-        h('p', {}, 'From ', h('code', {}, compare.old.command), ` (${compare.old.program}) to `, h('code', {}, command), ': ',
-            total ? `${plural(total, 'cell')} in ${plural(compare.changes.length, 'group')}.` : 'nothing.'),
-        [...kinds].map(([kind, changes]) => [
-            h('h3', {}, `${kind[0].toUpperCase()}${kind.slice(1)}`, h('span.muted', {}, ` \u00b7 ${plural(changes.reduce((sum, change) => sum + change.cells.length, 0), 'cell')}`)),
-            changes.map((change) => group(change, kind, cells, go)),
+        h('p', {}, 'From ', h('code', {}, compare.old.command), ` (${compare.old.program}) to `, h('code', {}, command), compare.changes.length ? '.' : ': nothing.'),
+        changeKinds(compare).map(({ heading, number, groups }) => [
+            h('h3', {}, heading, h('span.muted', {}, ` \u00b7 ${plural(number, 'cell')}`)),
+            groups.map((group) => groupDetails(group, cells, go)),
         ]));
 }
 
-function group(change, kind, cells, go) {
+function groupDetails({ words, cells: list }, cells, go) {
     const box = h('div');
-    const node = h('details', {}, h('summary', {}, h('b', {}, causeWords(change.cause, kind)), ` \u00b7 ${plural(change.cells.length, 'cell')}`), box);
+    const marked = words.split(' \u2192 ').flatMap((side, at) => [at ? ' \u2192 ' : null, verdicts.includes(side) ? [symbolOf(side), ' '] : null, side]);
+    const node = h('details', {}, h('summary', {}, h('b', {}, marked), ` \u00b7 ${plural(list.length, 'cell')}`), box);
     node.addEventListener('toggle', () => {
-        if (node.open && !box.childElementCount) box.append(lines(change.cells, cells, go));
+        if (node.open && !box.childElementCount) box.append(lines(list, cells, go));
     });
     return node;
-}
-
-/// "verdict: exact -> edge" under its heading: "exact → edge", verdicts with their symbols.
-function causeWords(cause, kind) {
-    const rest = cause === kind ? cause : cause.slice(kind.length + 2);
-    return rest.split(' -> ').flatMap((side, at) => [at ? ' \u2192 ' : null, verdicts.includes(side) ? symbolOf(side) : null, at || verdicts.includes(side) ? ` ${side}` : side]);
 }
 
 function lines(list, cells, go) {

@@ -1,7 +1,7 @@
 // The report's page: reads the data that stands in it and puts the parts together.
 import { mendView, readAddress, splitSort } from './address.js';
 import { cellDialog } from './cell.js';
-import { changedCells, compareSection } from './compare.js';
+import { changedCells, changesInWords, compareSection } from './compare.js';
 import { blockText, bytesOfBase64, inflate } from './decode.js';
 import { h } from './dom.js';
 import { factsSection } from './facts.js';
@@ -197,7 +197,7 @@ function start(report) {
     }
 
     document.getElementById('title').textContent = `${run.compare ? 'What changed between two runs. ' : ''}${runInWords(run, cells)}`;
-    document.getElementById('about').before(h('p.result', { id: 'result' }, answerOf(run, cells, whole).join(' ')));
+    document.getElementById('about').before(h('p.result', { id: 'result' }, [run.compare ? changesInWords(run.compare) : '', ...answerOf(run, cells, whole)].join(' ').trim()));
     document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program}`);
     document.title = `${run.command} \u00b7 gnomon report`;
     document.getElementById('tools').append(themeButton(() => plots.draw()));

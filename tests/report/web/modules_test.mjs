@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { describe, it } from 'node:test';
 import { exclusiveOr, undoDifferences } from '../../../src/report/web/decode.js';
 import { mendView, readAddress } from '../../../src/report/web/address.js';
+import { changeKinds } from '../../../src/report/web/compare.js';
 import { changeWords, differences } from '../../../src/report/web/change_words.js';
 import { placeLabels, spreadLabels, widthOf } from '../../../src/report/web/labels.js';
 import { slices } from '../../../src/report/web/paper.js';
@@ -181,6 +182,13 @@ describe('report modules', () => {
     it('differences name what changed, nested ones with a dot', () => {
         assert.deepEqual(differences({ verdict: 'exact', wrong: { edge: 0, interior: 1 }, same: [1] }, { verdict: 'edge', wrong: { edge: 3, interior: 1 }, same: [1], more: 1 }),
             [{ key: 'verdict', before: 'exact', after: 'edge' }, { key: 'wrong.edge', before: 0, after: 3 }, { key: 'more', before: undefined, after: 1 }]);
+    });
+
+    it('groups of changes with the same words are one', () => {
+        const lack = (...whats) => ({ missing: whats.map((what) => ({ what, capability: what, source: '' })) });
+        const changes = ['a', 'b'].map((other) => ({ cause: `limits: old, ${other} -> ${other}`, cells: [{ cell: other, old: lack('old', other), new: lack(other) }] }));
+        const [kind] = changeKinds({ changes });
+        assert.deepEqual([kind.number, kind.groups.map(({ words, cells: list }) => [words, list.length])], [2, [['lacks no more: old', 2]]]);
     });
 
     it('a number of single precision is written as it was given', () => {

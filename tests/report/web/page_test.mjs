@@ -138,12 +138,14 @@ describe('report page', { skip }, () => {
     });
 
     test('compares two runs, group by group under the kinds of causes', { address: comparedReport }, async (tab) => {
-        assert.deepEqual(await tab.locator('.compare h3').allTextContents(), ['Verdict \u00b7 2 cells', 'Limits \u00b7 1 cell', 'Only in the new run \u00b7 1 cell', 'Only in the old run \u00b7 1 cell']);
+        assert.deepEqual(await tab.locator('.compare h3').allTextContents(), ['Verdict \u00b7 2 cells', 'What chips lack \u00b7 1 cell', 'Only in the new run \u00b7 1 cell', 'Only in the old run \u00b7 1 cell']);
         assert.equal(await tab.locator('.compare details').count(), 5);
+        assert.match(await tab.locator('#result').textContent(), /^5 cells changed since the old run: 2 in \u201cverdict\u201d, 1 in \u201cwhat chips lack\u201d/);
         await tab.locator('.compare summary').first().focus();
         await tab.keyboard.press('Enter');
         await tab.locator('.compare a').first().waitFor();
         assert.match(await tab.locator('.compare details').first().textContent(), /exact \u2192 edge.*wrong pixels at the boundaries: 0 \u2192 12/);
+        assert.equal(await tab.locator('.compare summary').nth(2).textContent(), 'lacks now: destination alpha beside depth; lacks no more: old lack \u00b7 1 cell');
         await tab.locator('.compare summary').nth(2).click();
         const limits = tab.locator('.compare details').nth(2);
         await limits.locator('li').first().waitFor();
