@@ -23,4 +23,4 @@ export const legend = (compares) => h('details.legend', {}, h('summary', {}, 'Ho
             ['\u25b2 \u25bc', 'the table is sorted by this column, best or worst first; a press on a heading turns it'],
             compares && ['\u0394', 'cells of this entry changed since the old run'],
         ].filter(Boolean).map(([sign, meaning]) => h('div', {}, h('dt', {}, sign), h('dd', {}, meaning)))),
-    h('p', {}, 'Arrow keys, Home, End, Page up and Page down walk over the table, with Control Home and End to its corners; Enter opens an entry\u2019s worst cell.'));
+    h('p.keys', {}, 'Arrow keys, Home, End, Page up and Page down walk over the table, with Control Home and End to its corners; Enter opens an entry\u2019s worst cell.'));

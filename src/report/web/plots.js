@@ -27,7 +27,8 @@ function pageConfig() {
 }
 
 /// One plot with its buttons.
-function plot(id, title, hint) {
+/// @param over  takes the method under the pointer, null where there is none; may be left out
+function plot(id, title, hint, over) {
     const box = h('div.plot-box');
     const rowsBox = h('div.rows');
     const rowsDetails = h('details', {}, h('summary', {}, 'Rows of the plot'), rowsBox);
@@ -74,6 +75,8 @@ function plot(id, title, hint) {
             const drawn = await drawPlot(specOf(rows, colours, width), pageConfig(), box, width, labelsOf && ((scales) => labelsOf(rows, scales)));
             if (mine !== turn) return drawn.finalize();
             view = drawn.signal('lit', lit);
+            for (const [event, isOver] of [['mouseover', true], ['mouseout', false]])
+                view.addEventListener(event, (_, item) => item?.datum?.method && over(isOver ? item.datum.method : null));
             view.runAsync();
             node.dataset.drawn = rows.length;
             ready(true);
@@ -97,17 +100,24 @@ function methodMarks(light, change) {
     const box = h('div.method-marks', { role: 'group', 'aria-label': 'Methods to be marked in the plots' });
     const said = h('p.mark-said.muted');
     let marked = new Set();
-    const hint = 'A pointer or the focus on a method marks it in the plots and shows its figures here; a press keeps it marked.';
+    const hint = 'A pointer on a method, here or in a plot, or the focus on its name marks it in all plots and shows its figures; a press on the name keeps it marked.';
     const rest = () => (light([...marked]), (said.textContent = hint));
+    const on = (entry) => (light([entry.row]), (said.textContent = sentenceOf(entry)));
+    let known = [];
     roving(box, 'button');
     return {
         node: h('div', {}, box, said),
+        /// What the pointer is over in a plot; null: nothing.
+        point(method) {
+            const entry = known.find(({ row }) => row === method);
+            if (entry) on(entry);
+            else rest();
+        },
         /// @param entries  of the chosen chip
         show(entries, mark) {
-            marked = mark ?? new Set();
+            marked = mark ?? new Set(), known = entries;
             const focused = box.contains(document.activeElement) ? document.activeElement.dataset.method : null;
             box.replaceChildren(...entries.map((entry) => {
-                const on = () => (light([entry.row]), (said.textContent = sentenceOf(entry)));
                 const toggled = () => {
                     const next = new Set(marked);
                     if (!next.delete(entry.row)) next.add(entry.row);
@@ -115,7 +125,7 @@ function methodMarks(light, change) {
                 };
                 return h('button', {
                     type: 'button', tabIndex: -1, 'data-method': entry.row, 'aria-label': sentenceOf(entry), 'aria-pressed': String(marked.has(entry.row)),
-                    onmouseenter: on, onfocus: on, onmouseleave: rest, onblur: rest, onclick: toggled,
+                    onmouseenter: () => on(entry), onfocus: () => on(entry), onmouseleave: rest, onblur: rest, onclick: toggled,
                 }, entry.row);
             }));
             const stop = [...box.children].find((node) => node.dataset.method === focused) ?? box.firstElementChild;
@@ -130,9 +140,10 @@ function methodMarks(light, change) {
 /// @param change  takes what is new of the state
 export function plotSection(report, change) {
     const { cells, run } = report;
-    const accuracy = plot('accuracy', 'Accuracy against time', 'Up is less exact, right is slower: the median of the host\u2019s time by that without shadows. On the dashed line nothing else is both faster and more exact.');
-    const path = plot('path', 'Time along the camera path', 'The host\u2019s time of each frame by that of the same frame without shadows. A colour stands for where the count lives.');
-    const passes = plot('passes', 'Passes of each method', 'As the OpenGL calls were counted: the most over the scenes and frames that the filters leave; the rows have the fewest too.');
+    const over = (method) => marks.point(method);
+    const accuracy = plot('accuracy', 'Accuracy against time', 'Up is less exact, right is slower: the median of the host\u2019s time by that without shadows. On the dashed line nothing else is both faster and more exact.', over);
+    const path = plot('path', 'Time along the camera path', 'The host\u2019s time of each frame by that of the same frame without shadows. A colour stands for where the count lives.', over);
+    const passes = plot('passes', 'Passes of each method', 'As the OpenGL calls were counted: the most over the scenes and frames that the filters leave; the rows have the fewest too.', over);
     const states = run.states?.length ? plot('states', 'States of the mask', 'Each value that the chip\u2019s own arithmetic reaches, and what leads to the next.') : null;
     const stores = new Map(run.methods.map((method) => [method.id, method.store ?? 'by frame']));
     const chip = h('select', { id: 'plot-chip', onchange: () => change({ chip: chip.value }) });

@@ -41,6 +41,10 @@ describe('the plots of the report', { skip }, () => {
         assert.match(await tab.locator('.mark-said').textContent(), /^carmack on ideal: exact, 0 wrong pixels, 1 scene pass/);
         await tab.mouse.move(5, 5);
         await tab.waitForFunction(() => [...document.querySelectorAll('#plot-path .mark-text.role-mark text')].every((node) => Number(node.getAttribute('opacity') ?? 1) > 0.5));
+        await tab.locator('#plot-accuracy svg .mark-symbol.role-mark path').first().hover();
+        await tab.waitForFunction(() => / on ideal: /.test(document.querySelector('.mark-said').textContent));
+        assert.equal((await bright('path')).length, 1);
+        await tab.mouse.move(5, 5);
         await tab.locator('.method-marks [tabindex="0"]').focus();
         await tab.keyboard.press('ArrowRight');
         assert.match(await tab.locator('.mark-said').textContent(), /^heidmann on ideal/);
