@@ -220,7 +220,7 @@ describe('report page, for all', { skip }, () => {
         await tab.locator('.sheets').waitFor();
         await tab.waitForFunction(() => document.querySelectorAll('.plot-box > svg[width="470"], .plot-box > * svg[width="470"]').length === 3);
         for (const control of ['.filters', '#theme', '.tools', '.method-marks', '.answer-box', '.plot button']) assert.equal(await tab.locator(control).first().isVisible(), false, control);
-        const cut = await tab.evaluate(() => [...document.querySelectorAll('.sheets .answer, .sheets .entry, .sheets .head, .plot-box svg, .graph svg')].filter((node) => {
+        const cut = await tab.evaluate(() => [...document.querySelectorAll('.sheets .answer, .sheets .entry, .sheets .head, .sheets .what, .plot-box svg, .graph svg')].filter((node) => {
             const box = node.getBoundingClientRect();
             return box.width < 1 || box.right > innerWidth + 1 || (node.tagName !== 'svg' && node.scrollWidth > node.clientWidth + 1);
         }).map((node) => `${node.tagName} ${node.textContent.slice(0, 40)}`));
