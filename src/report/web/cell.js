@@ -1,53 +1,62 @@
 // One cell, opened: verdict, pictures, film strip, plan, figures, what the chip lacks, the command.
+import { cellPictures, drawnOtherwise, hasPictures } from './cell_pictures.js';
+import { changeList } from './compare.js';
 import { counted, h, plural, roving, say, symbolOf } from './dom.js';
-import { ratioText, rowOf } from './run.js';
+import { isDrawn, ratioText, rowOf } from './run.js';
 import { copy } from './save.js';
-import { filmStrip } from './strip.js';
-import { viewer } from './viewer.js';
-import { explanation, renderCommand } from './words.js';
-
-const labels = { image: 'image', mask: 'mask', truth: 'truth', causes: 'causes', difference: 'difference' };
-/// What the reader chose in one cell holds in the next.
-const kept = { pair: ['mask', 'truth'], divider: 0.5 };
+import { explanation, numberText, planCommand, renderCommand } from './words.js';
 
 /// @param report  {run, cells, pictures}
-/// @param go      opens another cell, by its index; -1 closes
-export function cellDialog(report, go) {
+/// @param acts    {changes: of changedCells(), go(cell), look(what is new of how it is looked at), link(): the cell's part of an
+///                address, closed(), home(cell): where the focus goes if nothing else had it}
+export function cellDialog(report, acts) {
     const dialog = h('dialog.cell', { 'aria-labelledby': 'cell-title' });
-    let back = null, shown = -1;
+    let back = null, shown = -1, hash = '';
+    const empty = () => {
+        const cell = shown;
+        shown = -1;
+        dialog.close();
+        dialog.replaceChildren();
+        (back?.isConnected && back !== document.body ? back : acts.home(cell)).focus();
+    };
     dialog.addEventListener('close', () => {
-        if (shown >= 0) go(-1);
+        if (shown < 0) return;
+        empty();
+        acts.closed();
     });
     dialog.addEventListener('click', (event) => {
         if (event.target === dialog) dialog.close();
     });
     document.body.append(dialog);
+    const look = (news) => {
+        acts.look(news);
+        hash = acts.link();
+        dialog.querySelector('[data-link]').dataset.copy = address();
+    };
+    const address = () => location.href.split('#')[0] + acts.link();
     return {
-        /// @param cell  -1 closes
-        show(cell) {
-            if (cell === shown) return;
+        /// @param cell   -1 closes
+        /// @param state  of the page
+        show(cell, state) {
+            if (cell < 0) return shown < 0 ? undefined : empty();
+            const link = acts.link();
+            if (cell === shown && hash === link) return;
             const wasOpen = shown >= 0;
-            shown = cell;
-            if (cell < 0) {
-                dialog.close();
-                dialog.replaceChildren();
-                if (back?.isConnected) back.focus();
-                return;
-            }
+            shown = cell, hash = link;
             if (!wasOpen) back = document.activeElement;
             const hadFocus = document.activeElement?.closest('.path') ? 'path' : document.activeElement?.dataset?.do;
             const scroll = dialog.scrollTop;
-            dialog.replaceChildren(...content(report, cell, go, () => dialog.close()));
+            dialog.replaceChildren(...content(report, cell, state, { ...acts, look, address, close: () => dialog.close() }));
             if (!wasOpen) dialog.showModal();
             dialog.scrollTop = wasOpen ? scroll : 0;
             const focus = wasOpen && hadFocus === 'path' ? dialog.querySelector('.path [aria-current=true]')
-                : wasOpen && hadFocus ? dialog.querySelector(`[data-do="${hadFocus}"]`) : dialog.querySelector('h2');
-            focus?.focus();
+                : (wasOpen && hadFocus && dialog.querySelector(`[data-do="${hadFocus}"]`)) || dialog.querySelector('h2');
+            focus.focus();
         },
     };
 }
 
-function content(report, cell, go, close) {
+function content(report, cell, state, { changes, go, look, address, close }) {
     const { cells, run } = report;
     const verdict = cells.get('verdict', cell);
     const profile = run.profiles.find((p) => p.id === cells.get('profile', cell));
@@ -56,24 +65,30 @@ function content(report, cell, go, close) {
     const step = (by, label, name) => h('button', {
         type: 'button', 'aria-label': label, 'data-do': name, disabled: at + by < 0 || at + by >= mates.length, onclick: () => go(mates[at + by]),
     }, by < 0 ? '\u25c0' : '\u25b6');
+    const link = copyButton('Copy link', address);
+    link.dataset.link = '';
+    const change = changes.get(cell), text = cells.get('plan', cell);
     return [
         h('header.cell-head', {},
             h('div', {},
                 h('h2', { id: 'cell-title', tabIndex: -1 }, symbolOf(verdict), ` ${rowOf(cells, cell)} on ${profile?.name ?? cells.get('profile', cell)}`),
                 h('p.muted', {}, `${cells.get('scene', cell)}, frame ${cells.get('frame', cell)}, ${cells.size(cell).replace('x', '\u00d7')}`)),
-            h('div.row', {}, step(-1, 'Frame before', 'before'), step(1, 'Next frame', 'next'),
-                copyButton('Copy link', () => `${location.href.split('#')[0]}#cell=${cells.id(cell)}`),
+            h('div.row', {}, step(-1, 'Frame before', 'before'), step(1, 'Next frame', 'next'), link,
                 h('button', { type: 'button', 'data-do': 'close', onclick: close }, 'Close'))),
         h('div.cell-body', {},
             h('div.said', {},
                 h('section.verdict', {}, h(`p.badge.${verdict}`, {}, symbolOf(verdict), verdict), explanation(cells, cell).map((sentence) => h('p', {}, sentence)),
+                    drawnOtherwise(report, cell),
                     (cells.get('warnings', cell) ?? []).map((warning) => h('p.muted', {}, `Warned before it was drawn: ${warning}.`))),
-                path(cells, cell, mates, go),
+                change ? h('section', {}, h('h3', {}, 'Changed since the old run'), changeList(change)) : null,
                 missing(cells, cell, profile),
-                causes(report, cell)),
-            h('div.pictured', {}, pictures(report, cell, mates, go), plan(cells, cell)),
+                causes(report, cell),
+                path(report, cell, mates, go)),
+            h('div.pictured', {}, cellPictures(report, cell, mates, state, go, look),
+                text ? h('details.plan', { open: true }, h('summary', {}, h('h3', {}, 'Plan, and why each pass is there')), h('pre', { tabIndex: 0 }, text)) : null),
             h('div.rest', {}, figures(cells, cell),
-                h('section', {}, h('h3', {}, 'Draw it again'), command(renderCommand(cells, cell, run.methods))))),
+                verdict === 'refused' ? h('section', {}, h('h3', {}, 'Why it is refused'), h('p', {}, 'This lists its passes and what the chip lacks for them:'), command(planCommand(cells, cell, run.methods)))
+                    : h('section', {}, h('h3', {}, 'Draw it again'), command(renderCommand(cells, cell, run.methods))))),
     ];
 }
 
@@ -85,7 +100,8 @@ function matesOf(cells, cell) {
 }
 
 /// The frames of the camera paths, scene by scene.
-function path(cells, cell, mates, go) {
+function path(report, cell, mates, go) {
+    const { cells } = report;
     const scenes = new Map();
     for (const mate of mates) {
         const name = `${cells.get('scene', mate)} ${cells.size(mate).replace('x', '\u00d7')}`;
@@ -95,17 +111,14 @@ function path(cells, cell, mates, go) {
     const box = h('section.path', {}, h('h3', {}, 'Frames of the camera path'), [...scenes].map(([name, list]) =>
         h('div.path-row', { role: 'group', 'aria-label': name }, h('span.path-name', {}, name), h('div.row', {}, list.map((mate) => {
             const verdict = cells.get('verdict', mate), wrong = cells.wrong(mate);
-            const label = `frame ${cells.get('frame', mate)}: ${verdict}${wrong ? `, ${plural(wrong, 'wrong pixel')}` : ''}${hasPictures(cells, mate) ? ', with pictures' : ''}`;
+            const label = `frame ${cells.get('frame', mate)}: ${verdict}${wrong ? `, ${plural(wrong, 'wrong pixel')}` : ''}${hasPictures(report, mate) ? ', with pictures' : ''}`;
             return h(`button.frame-button.${verdict}`, {
                 type: 'button', 'aria-label': label, title: label, 'aria-current': mate === cell ? 'true' : 'false', onclick: () => go(mate),
-            }, symbolOf(verdict), String(cells.get('frame', mate)), hasPictures(cells, mate) ? h('i.film-mark', { 'aria-hidden': 'true' }) : null);
+            }, symbolOf(verdict), String(cells.get('frame', mate)), hasPictures(report, mate) ? h('i.film-mark', { 'aria-hidden': 'true' }) : null);
         })))));
     roving(box, '.frame-button');
     return box;
 }
-
-const drawingOf = (cells, cell) => cells.get('drawing', cell) ?? -1;
-const hasPictures = (cells, cell) => drawingOf(cells, cell) >= 0;
 
 function missing(cells, cell, profile) {
     const list = cells.get('missing', cell) ?? [];
@@ -127,58 +140,27 @@ function causes(report, cell) {
         })));
 }
 
-function pictures(report, cell, mates, go) {
-    const { cells, run } = report;
-    if (!hasPictures(cells, cell)) {
-        if (['refused', 'failed'].includes(cells.get('verdict', cell))) return null;
-        const other = mates.find((mate) => hasPictures(cells, mate));
-        return h('section', {}, h('h3', {}, 'Pictures'), h('p', {}, 'The report keeps no pictures of this frame. '),
-            other === undefined ? null : h('button', { type: 'button', onclick: () => go(other) }, `Show frame ${cells.get('frame', other)} of ${cells.get('scene', other)}`));
-    }
-    const drawing = run.drawings[drawingOf(cells, cell)];
-    const get = (picture) => report.pictures.get(picture);
-    const box = h('div', {}, h('p.muted', {}, 'Unpacking the pictures \u2026'));
-    const failed = (error) => box.replaceChildren(h('p', { role: 'alert' }, `The pictures can\u2019t be read: ${error.message}`));
-    Promise.all(Object.entries(drawing.pictures).map(async ([id, picture]) => ({ id, label: labels[id] ?? id, picture: await get(picture) })))
-        .then((views) => {
-            const view = viewer(views, run.causes, { label: 'Pictures of the cell', pair: kept.pair, divider: kept.divider, keep: (chosen) => Object.assign(kept, chosen) });
-            box.replaceChildren(view.node);
-            view.draw();
-        }).catch(failed);
-    const strip = h('section', {}, h('h3', {}, 'Film strip: the buffers after every pass'),
-        drawing.strip?.length ? filmStrip(drawing.strip, run.causes, get) : stripElsewhere(report, cell, mates, go));
-    return [h('section', {}, h('h3', {}, 'Pictures'), box,
-        h('p.muted.keys', {}, 'Keys in a picture: arrows walk over pixels (with Shift by ten), + and \u2212 zoom, 0 fits, [ and ] move the divider, b blinks, s swaps.')), strip];
-}
+const elsewhere = new Set(['missing', 'causes', 'warnings', 'plan', 'drawing', 'profile', 'method', 'scene', 'frame', 'width', 'height', 'verdict', 'error']);
+const measured = /^(passes|touched|tied|wrong|nesting)\.|^(chosen|pixels|unpredicted|vertices|clock|cpu_ms|unshadowed_ms|digest)$/;
 
-/// Where a strip is kept, if this cell has none: of another frame, else on another chip.
-function stripElsewhere({ cells, run }, cell, mates, go) {
-    const hasStrip = (other) => hasPictures(cells, other) && run.drawings[drawingOf(cells, other)].strip?.length > 0;
-    const row = rowOf(cells, cell);
-    let other = mates.find(hasStrip);
-    for (let i = 0; other === undefined && i < cells.count; ++i) if (hasStrip(i) && rowOf(cells, i) === row) other = i;
-    return h('p', {}, 'The report keeps none of this frame; the command below writes it. ', other === undefined ? null
-        : h('button', { type: 'button', onclick: () => go(other) }, `Show that of ${cells.get('profile', other)}, ${cells.get('scene', other)}, frame ${cells.get('frame', other)}`));
-}
-
-function plan(cells, cell) {
-    const text = cells.get('plan', cell);
-    return text ? h('details.plan', { open: true }, h('summary', {}, h('h3', {}, 'Plan, and why each pass is there')), h('pre', { tabIndex: 0 }, text)) : null;
-}
-
-/// All that the run has of a cell in numbers and words.
+/// All that the run has of a cell in numbers and words; what was measured only where it was.
 function figures(cells, cell) {
-    const hidden = new Set(['missing', 'causes', 'warnings', 'plan', 'drawing', 'profile', 'method', 'scene', 'frame', 'width', 'height', 'verdict', 'error']);
+    const drawn = isDrawn(cells.get('verdict', cell));
     const rows = [];
     for (const name of cells.columns.keys()) {
         const value = cells.get(name, cell);
-        if (hidden.has(name) || value === null || value === undefined || value === '') continue;
-        rows.push(h('div', {}, h('dt', {}, name.replaceAll('_', ' ').replace('.', ', ')),
-            h('dd', {}, typeof value === 'number' && Number.isInteger(value) ? counted(value) : typeof value === 'object' ? JSON.stringify(value) : String(value))));
+        if (elsewhere.has(name) || value === null || value === undefined || value === '' || (!drawn && measured.test(name))) continue;
+        rows.push(h('div', {}, h('dt', {}, name.replaceAll('_', ' ').replace('.', ', ')), h('dd', {}, valueText(value))));
     }
     const ratio = cells.ratio(cell);
-    const time = Number.isNaN(ratio) ? null : h('p', {}, `The frame took the host ${ratioText(ratio)} the time of the same frame without shadows. It is this computer\u2019s time, not the chip\u2019s.`);
-    return h('section', {}, h('h3', {}, 'Figures'), time, h('dl.figures-list', {}, rows));
+    const time = !drawn || Number.isNaN(ratio) ? null : h('p', {}, `The frame took the host ${ratioText(ratio)} the time of the same frame without shadows. It is this computer\u2019s time, not the chip\u2019s.`);
+    return h('section', {}, h('h3', {}, drawn ? 'Figures' : 'What was asked for'), time, h('dl.figures-list', {}, rows));
+}
+
+function valueText(value) {
+    if (typeof value === 'number') return Number.isInteger(value) ? counted(value) : numberText(value);
+    if (typeof value === 'boolean') return value ? 'yes' : 'no';
+    return typeof value === 'object' ? Object.entries(value).map(([key, inner]) => `${key} ${inner}`).join(', ') : String(value);
 }
 
 function command(text) {

@@ -1,16 +1,21 @@
 // The bar above the table: what is shown of the run.
 import { h, plural, say, symbolOf } from './dom.js';
 import { verdicts } from './run.js';
+import { filters } from './state.js';
 
 const titles = { profile: 'Chips', method: 'Methods', scene: 'Scenes', size: 'Sizes', frame: 'Frames' };
 
-/// @param choices  all values of each list, as text
-/// @param change   takes what is new of the state
-export function filterBar(choices, state, change) {
+/// @param choices   all values of each list, as text
+/// @param compares  whether there are cells that changed
+/// @param change    takes what is new of the state
+export function filterBar(choices, compares, change) {
     const text = h('input', {
-        type: 'search', id: 'text', value: state.text, placeholder: 'stencil, max, clamps \u2026', autocomplete: 'off',
-        oninput: () => change({ text: text.value }),
+        type: 'search', id: 'text', placeholder: 'stencil, max, clamps \u2026', autocomplete: 'off',
+        oninput: () => change({ text: text.value }, 'type'),
     });
+    const changed = !compares ? null : h('button.toggle', {
+        type: 'button', id: 'changed', onclick: () => change({ changed: changed.getAttribute('aria-pressed') === 'true' ? 'all' : '' }),
+    }, '\u0394 changed only');
     const toggles = verdicts.map((verdict) =>
         h('button.toggle', {
             type: 'button', 'data-verdict': verdict,
@@ -21,28 +26,26 @@ export function filterBar(choices, state, change) {
         .map((name) => pick(name, choices[name], change));
     const reset = h('button', {
         type: 'button', id: 'reset',
-        onclick: () => {
-            change({ profile: null, method: null, scene: null, size: null, frame: null, verdict: null, text: '' });
-            text.value = '';
-        },
+        onclick: () => change({ ...Object.fromEntries(filters.map((name) => [name, null])), text: '', changed: compares ? 'all' : '' }),
     }, 'Show all');
     const shown = h('p.shown', { id: 'shown' });
     const node = h('form.filters', { role: 'search', 'aria-label': 'Filter', onsubmit: (event) => event.preventDefault() },
-        picks.map((p) => p.node),
+        changed, picks.map((p) => p.node),
         h('fieldset.verdicts', {}, h('legend', {}, 'Verdict'), toggles),
         h('label.field', { htmlFor: 'text' }, 'Words', text),
         reset);
     const bar = {
         node,
         shown,
-        state,
+        state: null,
         /// Shows a state, and how much of the run it leaves.
-        update(next, left) {
+        update(next, changedOnly, left) {
             bar.state = next;
             for (const p of picks) p.update(next[p.name]);
             for (const toggle of toggles)
                 toggle.setAttribute('aria-pressed', String(next.verdict?.has(toggle.dataset.verdict) ?? false));
-            if (text.value !== next.text && document.activeElement !== text) text.value = next.text;
+            changed?.setAttribute('aria-pressed', String(changedOnly));
+            if (text.value !== next.text) text.value = next.text;
             const said = `${plural(left.rows, 'method')} on ${plural(left.profiles, 'chip')}: ` +
                 `${plural(left.cells, 'cell')} of ${plural(left.all, 'cell').replace(/ cells?$/, '')}`;
             if (shown.textContent && shown.textContent !== said) say(said);

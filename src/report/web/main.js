@@ -1,16 +1,24 @@
 // The report's page: reads the data that stands in it and puts the parts together.
+import { mendView, readAddress, splitSort } from './address.js';
 import { cellDialog } from './cell.js';
-import { compareSection } from './compare.js';
+import { changedCells, changesInWords, compareSection } from './compare.js';
 import { blockText, bytesOfBase64, inflate } from './decode.js';
-import { counted, h, plural, symbolOf } from './dom.js';
+import { h } from './dom.js';
 import { factsSection } from './facts.js';
 import { filterBar } from './filters.js';
+import { legend } from './legend.js';
+import { onPaper, slices } from './paper.js';
 import { Pictures } from './pictures.js';
 import { plotSection } from './plots.js';
-import { Cells, table, verdicts } from './run.js';
+import { Cells, rowOf, table, verdicts } from './run.js';
 import { csvOf, save } from './save.js';
-import { entryKeeper, hashOf, initialState, keeper, stateOf } from './state.js';
-import { answerTable, figureNames } from './table.js';
+import { changedNames, entryKeeper, filters, hashOf, initialState, keeper, views } from './state.js';
+import { steps } from './steps.js';
+import { answerTable, figureNames, tableRows } from './table.js';
+import { answerOf, runInWords, verdictCounts } from './title.js';
+
+const acrossNames = { profiles: 'chips', methods: 'methods' };
+const lookNames = { figures: 'figures', symbols: 'symbols' };
 
 /// Reads the blocks.
 /// @throws Error  if there are none, or one can't be read
@@ -67,27 +75,10 @@ function folded(...children) {
     return node;
 }
 
-function summary(cells) {
-    const counts = Object.fromEntries(verdicts.map((verdict) => [verdict, 0]));
-    for (let cell = 0; cell < cells.count; ++cell) ++counts[cells.get('verdict', cell)];
-    return h('p.summary', {}, verdicts.filter((verdict) => counts[verdict]).map((verdict) => h(`span.badge.${verdict}`, {}, symbolOf(verdict), `${counted(counts[verdict])} ${verdict}`)));
-}
-
-const legend = () => h('details.legend', {}, h('summary', {}, 'How to read it'),
-    h('dl', {}, [
-        ['exact', 'every pixel that can be judged is lit or in shadow as exact ray tracing says'],
-        ['edge', 'wrong pixels, all within one mask pixel of the true boundary of a shadow'],
-        ['wrong', 'wrong pixels away from the boundaries: a leak or a hole'],
-        ['refused', 'the chip lacks what the method needs; the first lack stands below'],
-        ['failed', 'a fault of gnomon or of the driver'],
-    ].map(([verdict, meaning]) => h('div', {}, h('dt', {}, symbolOf(verdict), verdict), h('dd', {}, meaning)))),
-    h('p', {}, '2/3: scene passes / rectangles over the whole window, as the OpenGL calls were counted. *: the path that gnomon takes on this chip. px: wrong pixels, added over the scenes and frames that the filters leave; the worst verdict counts. ',
-        '\u00d72.7: the median of the host\u2019s time of a frame by that of the same frame without shadows. It is no time of the chip.'));
-
 function start(report) {
     performance.mark('gnomon-data');
     const { run, cells } = report;
-    let state = initialState();
+    let state = initialState(), faults = [];
     const profiles = new Map(run.profiles.map((profile) => [profile.id, profile]));
     const methods = new Map(run.methods.map((method) => [method.id, method]));
     const methodOf = (row) => methods.get(row) ?? methods.get(row.split(' ')[0]);
@@ -97,132 +88,176 @@ function start(report) {
     };
     const factsOf = (entry) => [entry.row, entry.profile, profiles.get(entry.profile)?.name, profiles.get(entry.profile)?.kind, aboutMethod(entry.row),
         ...entry.missing.keys(), ...entry.causes.keys(), entry.error].filter(Boolean).join('\n').toLowerCase();
+    const changes = changedCells(run.compare, cells);
+    const whole = table(cells, () => true, changes);
+    const changedOnly = () => changes.size > 0 && state.changed !== 'all';
 
     const choices = Object.fromEntries(['profile', 'method', 'scene', 'frame'].map((name) => [name, cells.distinct(name).map(String)]));
     choices.frame.sort((a, b) => a - b);
     choices.size = [...new Set(Array.from({ length: cells.count }, (_, cell) => cells.size(cell)))];
-
-    const change = (news) => {
-        Object.assign(state, news);
-        history.replaceState(null, '', hashOf(state) || location.pathname + location.search);
-        render(news);
+    const known = {
+        ...choices, verdict: verdicts, mark: whole.rows, chip: choices.profile, path: choices.scene, figure: Object.keys(figureNames),
+        across: Object.keys(acrossNames), look: Object.keys(lookNames), changed: changes.size ? ['only', 'all'] : [],
     };
-    const bar = filterBar(choices, state, change);
+
+    const book = steps(() => fromAddress());
+    /// @param way  'push': a step of its own; 'type' and 'replace' write over one
+    const change = (news, way = 'push') => {
+        const names = changedNames(state, { ...state, ...news });
+        if (!names.length) return;
+        state = { ...state, ...news }, faults = [];
+        render(names);
+        book[way](hashOf(state));
+    };
+    const bar = filterBar(choices, changes.size > 0, change);
     const box = h('div.answer-box');
     const select = (label, name, options) => {
         const node = h('select', { id: name, onchange: () => change({ [name]: node.value }) }, Object.entries(options).map(([value, text]) => h('option', { value }, text)));
         return { name, node, label: h('label.field', {}, `${label} `, node) };
     };
-    const tools = [
-        select('Across', 'across', { profiles: 'chips', methods: 'methods' }),
-        select('Columns sort by', 'figure', figureNames),
-        select('Show', 'look', { figures: 'figures', symbols: 'symbols' }),
-    ];
+    const tools = [select('Across', 'across', acrossNames), select('Columns sort by', 'figure', figureNames), select('Show', 'look', lookNames)];
     let shown = null;
     const csv = h('button', { type: 'button', id: 'table-csv', 'aria-label': 'The table: save as CSV', onclick: () => save('gnomon-table.csv', 'text/csv', csvOf(tableRows(shown))) }, 'CSV');
     const plots = plotSection(report, change);
-    const dialog = cellDialog(report, (cell) => {
-        if (cell < 0) return change({ cell: '' });
-        // The first cell is a step of the browser's history, so that "back" closes it.
-        const next = { ...state, cell: cells.id(cell) };
-        history[state.cell ? 'replaceState' : 'pushState'](null, '', hashOf(next));
-        state = next;
-        dialog.show(cell);
-    });
-    const openId = (id) => {
-        const cell = cells.find(id);
-        if (cell >= 0) go(cell);
-    };
-    const go = (cell) => {
-        history.pushState(null, '', hashOf({ ...state, cell: cells.id(cell) }));
-        state.cell = cells.id(cell);
-        dialog.show(cell);
-    };
+    const heading = h('h2', { id: 'answer-title', tabIndex: -1 }, 'Which method works on which chip');
 
-    /// @param news  what changed of the state; null: all of it
-    function render(news) {
-        const only = (...names) => news && Object.keys(news).every((name) => names.includes(name));
-        if (!only('cell')) {
-            const keep = keeper(cells, state);
-            if (!only('chip', 'path')) {
-                shown = leftOver(table(cells, keep), entryKeeper(state, factsOf));
-                showTable(news);
-                bar.update(state, { rows: shown.rows.length, profiles: shown.profiles.length, cells: shown.count, all: cells.count });
-                for (const tool of tools) tool.node.value = state[tool.name];
-            }
-            if (!only('sort', 'figure', 'across', 'look')) {
-                const scenes = choices.scene.filter((scene) => !state.scene || state.scene.has(scene));
-                later(() => plots.update(shown, keep, scenes, state));
-            }
-        }
-        const cell = state.cell ? cells.find(state.cell) : -1;
-        problem(state.cell && cell < 0 ? `The run has no cell ${state.cell}.` : '');
-        dialog.show(cell);
+    // What the reader chose in one cell holds in the next, where there is such a picture, pixel or pass.
+    let kept = {};
+    const drawingOf = (cell) => run.drawings[cells.get('drawing', cell) ?? -1] ?? null;
+    const viewOf = (whole) => Object.fromEntries(Object.keys(views).map((name) => [name, whole[name]]));
+    const sizeOf = (cell) => ({ width: cells.get('width', cell), height: cells.get('height', cell) });
+    const dialog = cellDialog(report, {
+        changes,
+        go: (cell) => go(cell),
+        look(news) {
+            Object.assign(kept, news);
+            state = { ...state, ...news };
+            book.replace(hashOf(state));
+        },
+        link: () => hashOf({ ...initialState(), cell: state.cell, ...viewOf(state) }),
+        closed() {
+            kept = { pair: kept.pair ?? views.pair, divider: kept.divider ?? views.divider };
+            state = { ...state, cell: '' }, faults = [];
+            problem(faults);
+            if (!book.leave()) book.replace(hashOf(state));
+        },
+        home: (cell) => entryButtonOf(rowOf(cells, cell), cells.get('profile', cell)) ?? heading,
+    });
+    function go(cell) {
+        const first = !state.cell;
+        state = { ...state, ...views, ...kept, cell: cells.id(cell) }, faults = [];
+        mendView(state, drawingOf(cell), sizeOf(cell));
+        dialog.show(cell, state);
+        // The first cell is a step of the browser's history, so that "back" closes it.
+        if (first) book.push(hashOf(state), true);
+        else book.replace(hashOf(state));
+        problem(faults);
     }
-    function showTable(news) {
-        const column = box.contains(document.activeElement) ? document.activeElement.dataset.column : undefined;
-        const scroll = [box.scrollLeft, box.scrollTop];
-        if (!shown.rows.length) {
-            box.replaceChildren(h('p.muted', {}, 'The filters leave nothing.'));
-        } else {
-            box.replaceChildren(answerTable(shown, state, {
-                change,
-                open: (entry) => go(entry.worst),
-            }, { profile: (id) => [profiles.get(id)?.name ?? '', profiles.get(id)?.year].filter(Boolean).join(', '), method: aboutMethod }));
+
+    const forTable = [...filters, 'text', 'changed', 'sort', 'figure', 'across', 'look'], forPlots = [...filters, 'text', 'changed', 'chip', 'path'];
+    /// @param names  what changed of the state
+    function render(names) {
+        const any = (list) => names.some((name) => list.includes(name));
+        if (any(forTable)) {
+            const left = filters.some((name) => name !== 'verdict' && state[name]) ? table(cells, keeper(cells, state), changes) : whole;
+            shown = leftOver(left, entryKeeper(state, factsOf, changedOnly()));
+            mendSort();
+            showTable();
+            bar.update(state, changedOnly(), { rows: shown.rows.length, profiles: shown.profiles.length, cells: shown.count, all: cells.count });
+            for (const tool of tools) tool.node.value = state[tool.name];
         }
+        if (any(forPlots)) {
+            const scenes = choices.scene.filter((scene) => !state.scene || state.scene.has(scene));
+            const rows = new Set(shown.rows), keep = keeper(cells, state);
+            later(() => plots.update(shown, (cell) => keep(cell) && rows.has(rowOf(cells, cell)), scenes, state));
+        }
+        if (names.includes('mark')) plots.mark(state.mark);
+        dialog.show(state.cell ? cells.find(state.cell) : -1, state);
+        problem(faults);
+    }
+    /// An order by a column that the filters leave out is said, and given up.
+    function mendSort() {
+        const { column } = splitSort(state.sort);
+        if (!column || !shown.rows.length || (state.across === 'methods' ? shown.rows : shown.profiles).includes(column)) return;
+        faults.push(`The table has no column ${column} to be sorted by: it stands in the order of the run.`);
+        state.sort = '';
+    }
+    const entryButtonOf = (row, profile) => [...box.querySelectorAll('.entry')].find((node) => node.dataset.row === row && node.dataset.profile === profile) ?? null;
+    const draw = (part) => answerTable(part, state, { change, open: (entry) => go(entry.worst) },
+        { profile: (id) => [profiles.get(id)?.name ?? '', profiles.get(id)?.year].filter(Boolean).join(', '), method: aboutMethod });
+    function showTable() {
+        const { column, row, profile } = box.contains(document.activeElement) ? document.activeElement.dataset : {};
+        const scroll = [box.scrollLeft, box.scrollTop];
+        box.replaceChildren(shown.rows.length ? draw(shown) : h('p.muted', {}, 'The filters leave nothing.'));
         // Only where there is something to restore: it lays out the whole table at once.
         if (scroll[0] || scroll[1]) [box.scrollLeft, box.scrollTop] = scroll;
-        // The heading that was pressed keeps the focus.
-        if (news && column !== undefined) [...box.querySelectorAll('.head')].find((head) => head.dataset.column === column)?.focus();
+        // What was pressed keeps the focus.
+        if (column !== undefined) [...box.querySelectorAll('.head')].find((head) => head.dataset.column === column)?.focus();
+        else if (row !== undefined) (entryButtonOf(row, profile) ?? box.querySelector('button[tabindex="0"]') ?? heading).focus();
     }
 
-    document.getElementById('title').textContent = run.compare ? 'What changed between two runs' : 'Shadow methods on old graphics chips';
-    document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program} \u00b7 ${plural(cells.count, 'cell')}`);
+    document.getElementById('title').textContent = `${run.compare ? 'What changed between two runs. ' : ''}${runInWords(run, cells)}`;
+    document.getElementById('about').before(h('p.result', { id: 'result' }, [run.compare ? changesInWords(run.compare) : '', ...answerOf(run, cells, whole)].join(' ').trim()));
+    document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program}`);
     document.title = `${run.command} \u00b7 gnomon report`;
     document.getElementById('tools').append(themeButton(() => plots.draw()));
+    const answer = h('div', { id: 'answer', tabIndex: -1 }, box);
+    document.querySelector('.skip').addEventListener('click', (event) => (event.preventDefault(), answer.focus()));
     const main = document.getElementById('main');
-    const changes = run.compare ? compareSection(run.compare, run.command, openId, (id) => cells.find(id) >= 0) : null;
     main.append(...[
-        changes,
+        run.compare ? compareSection(run.compare, run.command, cells, go) : null,
         h('section', { 'aria-labelledby': 'answer-title' },
-            h('div.section-head', {}, h('h2', { id: 'answer-title' }, 'Which method works on which chip'), summary(cells)),
-            folded(bar.node, h('div.row.tools', {}, tools.map((tool) => tool.label), csv)), bar.shown,
-            h('div', { id: 'answer', tabIndex: -1 }, box), legend()),
+            h('div.section-head', {}, heading, verdictCounts(cells)),
+            folded(bar.node, h('div.row.tools', {}, tools.map((tool) => tool.label), csv)), bar.shown, legend(changes.size > 0), answer),
         plots.node,
         factsSection(run, choices.profile),
     ].filter(Boolean));
+    const sheets = h('div.sheets');
+    onPaper(() => {
+        sheets.replaceChildren(...slices(shown, state).map(draw));
+        box.after(sheets);
+        doNow();
+        plots.toPaper(true);
+    }, () => {
+        sheets.remove();
+        plots.toPaper(false);
+    });
 
-    const fromAddress = () => {
-        state = { ...stateOf(location.hash) };
-        render(null);
-    };
-    window.addEventListener('hashchange', fromAddress);
-    window.addEventListener('popstate', fromAddress);
+    function fromAddress() {
+        const before = state;
+        ({ state, faults } = readAddress(location.hash, known));
+        const cell = state.cell ? cells.find(state.cell) : -1;
+        if (cell >= 0) {
+            faults.push(...mendView(state, drawingOf(cell), sizeOf(cell)));
+            kept = viewOf(state);
+        }
+        if (state.cell && cell < 0) faults.push(`The run has no cell ${state.cell}.`);
+        render(shown ? changedNames(before, state) : Object.keys(state));
+    }
     fromAddress();
     performance.mark('gnomon-table');
     document.documentElement.dataset.ready = Math.round(performance.now());
 }
 
 /// The last of the tasks that were put off; the table is there before the plots.
-let waiting = 0;
+let waiting = null, timer = 0;
 function later(task) {
-    clearTimeout(waiting);
-    waiting = setTimeout(task, 60);
+    clearTimeout(timer);
+    waiting = task;
+    timer = setTimeout(doNow, 60);
 }
-
-/// The shown table as rows for CSV.
-const tableRows = (shown) => shown.all().map((e) => ({
-    profile: e.profile, method: e.row, verdict: e.verdict, chosen: e.chosen, cells: e.cells.length,
-    scene_passes: e.passes.scene, volume_passes: e.passes.volume, rectangles: e.passes.rectangle, copies: e.passes.copy,
-    wrong_edge: e.edge, wrong_interior: e.interior, tied: e.tied, pixels: e.pixels, time_ratio: e.ratio,
-    causes: [...e.causes].map(([cause, pixels]) => `${cause}: ${pixels}`).join('; '), missing: [...e.missing].map(([what, source]) => `${what} [${source}]`).join('; '), error: e.error,
-}));
+function doNow() {
+    clearTimeout(timer);
+    const task = waiting;
+    waiting = null;
+    task?.();
+}
 
 /// Shows what is wrong; nothing if nothing is.
-function problem(text) {
-    const node = document.getElementById('problem');
+function problem(sentences) {
+    const node = document.getElementById('problem'), text = sentences.join(' ');
     node.hidden = !text;
-    node.textContent = text;
+    if (node.textContent !== text) node.textContent = text;
 }
 
-readReport().then(start).catch((error) => problem(`The report can\u2019t be shown: ${error.message}.`));
+readReport().then(start).catch((error) => problem([`The report can\u2019t be shown: ${error.message}.`]));

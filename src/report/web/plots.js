@@ -1,9 +1,13 @@
-// The plots: each with its file of SVG and of CSV and its rows as a table.
-import { h, themeColour } from './dom.js';
+// The plots: each with its file of SVG and of CSV and its rows as a table; methods can be marked in all of them.
+import { h, roving, themeColour } from './dom.js';
 import { vega } from './lazy.js';
-import { accuracyRows, accuracySpec, passRows, passSpec, pathRows, pathSpec } from './plot_specs.js';
+import { accuracyLabels, accuracyRows, accuracySpec, passRows, passSpec, pathLabels, pathRows, pathSpec } from './plot_specs.js';
+import { isDrawn } from './run.js';
 import { csvOf, save } from './save.js';
 import { stateGraph } from './states.js';
+import { sentenceOf } from './table.js';
+
+const paperWidth = 470;  // of a plot, pixels: two beside each other on an A4 page on its side
 
 /// The page's colours and letters for Vega-Lite.
 function pageConfig() {
@@ -17,12 +21,14 @@ function pageConfig() {
         legend: { labelColor: ink, titleColor: ink, labelFontSize: 12, symbolStrokeWidth: 2, titleFontWeight: 'normal' },
         text: { color: ink, fontSize: 12 },
         line: { color: muted },
+        rule: { color: muted },
         range: { category: [1, 2, 3, 4, 5, 6, 7, 8].map((i) => themeColour(`--series-${i}`)) },
     };
 }
 
 /// One plot with its buttons.
-function plot(id, title, hint) {
+/// @param over  takes the method under the pointer, null where there is none; may be left out
+function plot(id, title, hint, over) {
     const box = h('div.plot-box');
     const rowsBox = h('div.rows');
     const rowsDetails = h('details', {}, h('summary', {}, 'Rows of the plot'), rowsBox);
@@ -42,9 +48,17 @@ function plot(id, title, hint) {
     rowsDetails.addEventListener('toggle', fillRows);
     const buttons = node.querySelectorAll('[data-do]');
     const ready = (is) => buttons.forEach((button) => (button.disabled = !is));
+    let lit = [];
     return {
         node,
-        async show(newRows, spec) {
+        /// Marks methods; none: all stand out.
+        light(methods) {
+            lit = methods;
+            view?.signal('lit', lit).runAsync();
+        },
+        /// @param specOf    (rows, colours, width) to a specification
+        /// @param labelsOf  (rows, scales and size) to rows of its labels
+        async show(newRows, specOf, isOnPaper, labelsOf) {
             rows = newRows, makeSvg = null;
             const mine = ++turn;
             fillRows();
@@ -56,9 +70,14 @@ function plot(id, title, hint) {
             box.replaceChildren();
             const { drawPlot } = await vega();
             if (mine !== turn) return;
-            const drawn = await drawPlot(spec(rows, ['exact', 'edge', 'wrong'].map((verdict) => themeColour(`--${verdict}`))), pageConfig(), box);
+            const width = isOnPaper ? paperWidth : Math.max(220, box.clientWidth - 8);
+            const colours = ['exact', 'edge', 'wrong'].map((verdict) => themeColour(`--${verdict}`));
+            const drawn = await drawPlot(specOf(rows, colours, width), pageConfig(), box, width, labelsOf && ((scales) => labelsOf(rows, scales)));
             if (mine !== turn) return drawn.finalize();
-            view = drawn;
+            view = drawn.signal('lit', lit);
+            for (const [event, isOver] of [['mouseover', true], ['mouseout', false]])
+                view.addEventListener(event, (_, item) => item?.datum?.method && over(isOver ? item.datum.method : null));
+            view.runAsync();
             node.dataset.drawn = rows.length;
             ready(true);
         },
@@ -73,21 +92,69 @@ function plot(id, title, hint) {
     };
 }
 
+/// The methods of the plots, each a button that marks its point, line and bar. A pointer or the focus on it marks it for
+/// the while, and says its figures.
+/// @param light   takes the methods to be marked
+/// @param change  takes those that stay marked, a set or null
+function methodMarks(light, change) {
+    const box = h('div.method-marks', { role: 'group', 'aria-label': 'Methods to be marked in the plots' });
+    const said = h('p.mark-said.muted');
+    let marked = new Set();
+    const hint = 'A pointer on a method, here or in a plot, or the focus on its name marks it in all plots and shows its figures; a press on the name keeps it marked.';
+    const rest = () => (light([...marked]), (said.textContent = hint));
+    const on = (entry) => (light([entry.row]), (said.textContent = sentenceOf(entry)));
+    let known = [];
+    roving(box, 'button');
+    return {
+        node: h('div', {}, box, said),
+        /// What the pointer is over in a plot; null: nothing.
+        point(method) {
+            const entry = known.find(({ row }) => row === method);
+            if (entry) on(entry);
+            else rest();
+        },
+        /// @param entries  of the chosen chip
+        show(entries, mark) {
+            marked = mark ?? new Set(), known = entries;
+            const focused = box.contains(document.activeElement) ? document.activeElement.dataset.method : null;
+            box.replaceChildren(...entries.map((entry) => {
+                const toggled = () => {
+                    const next = new Set(marked);
+                    if (!next.delete(entry.row)) next.add(entry.row);
+                    change(next.size ? next : null);
+                };
+                return h('button', {
+                    type: 'button', tabIndex: -1, 'data-method': entry.row, 'aria-label': sentenceOf(entry), 'aria-pressed': String(marked.has(entry.row)),
+                    onmouseenter: () => on(entry), onfocus: () => on(entry), onmouseleave: rest, onblur: rest, onclick: toggled,
+                }, entry.row);
+            }));
+            const stop = [...box.children].find((node) => node.dataset.method === focused) ?? box.firstElementChild;
+            if (stop) stop.tabIndex = 0;
+            if (focused && stop) stop.focus();
+            else rest();
+        },
+    };
+}
+
 /// The section of all plots.
 /// @param change  takes what is new of the state
 export function plotSection(report, change) {
     const { cells, run } = report;
-    const accuracy = plot('accuracy', 'Accuracy against time', 'Up is less exact, right is slower: the median of the host\u2019s time by that without shadows. On the dashed line nothing else is both faster and more exact.');
-    const path = plot('path', 'Time along the camera path', 'The host\u2019s time of each frame by that of the same frame without shadows.');
-    const passes = plot('passes', 'Passes of each method', 'As the OpenGL calls were counted, in the last frame that the filters leave.');
+    const over = (method) => marks.point(method);
+    const accuracy = plot('accuracy', 'Accuracy against time', 'Up is less exact, right is slower: the median of the host\u2019s time by that without shadows. On the dashed line nothing else is both faster and more exact.', over);
+    const path = plot('path', 'Time along the camera path', 'The host\u2019s time of each frame by that of the same frame without shadows. A colour stands for where the count lives.', over);
+    const passes = plot('passes', 'Passes of each method', 'As the OpenGL calls were counted: the most over the scenes and frames that the filters leave; the rows have the fewest too.', over);
     const states = run.states?.length ? plot('states', 'States of the mask', 'Each value that the chip\u2019s own arithmetic reaches, and what leads to the next.') : null;
+    const stores = new Map(run.methods.map((method) => [method.id, method.store ?? 'by frame']));
     const chip = h('select', { id: 'plot-chip', onchange: () => change({ chip: chip.value }) });
     const scene = h('select', { id: 'plot-scene', onchange: () => change({ path: scene.value }) });
     const graph = h('select', { id: 'plot-mask', onchange: () => showStates() },
         (run.states ?? []).map((state, i) => h('option', { value: i }, `${state.profile}, ${state.method}`)));
+    const marks = methodMarks((methods) => [accuracy, path, passes].forEach((one) => one.light(methods)), (mark) => change({ mark }));
     const node = h('section.plots', { 'aria-labelledby': 'plots-title' },
         h('div.section-head', {}, h('h2', { id: 'plots-title' }, 'Plots'),
             h('div.row', {}, h('label.field', {}, 'Chip ', chip), h('label.field', {}, 'Scene of the path ', scene))),
+        marks.node,
         h('div.plot-grid', {}, accuracy.node, path.node, passes.node, states ? states.node : null));
     const about = h('p.muted');
     states?.node.querySelector('figcaption').append(h('label.field', {}, 'Chip and method ', graph), about);
@@ -97,31 +164,44 @@ export function plotSection(report, change) {
         about.textContent = state.title ?? '';
         states.showGraph(state.edges.map(({ from, to, label }) => ({ profile: state.profile, method: state.method, from, to, label })), stateGraph(state));
     };
-    let last = null;
+    let last = null, onPaper = false;
+    const showMarks = () => marks.show(last.shown.rows.map((row) => last.shown.entry(row, chip.value)).filter((entry) => entry && isDrawn(entry.verdict)), last.mark);
     const draw = () => {
         if (!last) return;
         const { shown, keep } = last;
-        accuracy.show(accuracyRows(shown, chip.value), accuracySpec);
-        path.show(pathRows(cells, keep, chip.value, scene.value), pathSpec);
-        passes.show(passRows(shown, chip.value), passSpec);
+        showMarks();
+        accuracy.show(accuracyRows(shown, chip.value), accuracySpec, onPaper, accuracyLabels);
+        path.show(pathRows(cells, keep, chip.value, scene.value, (method) => stores.get(method)), pathSpec, onPaper, pathLabels);
+        passes.show(passRows(shown, chip.value), passSpec, onPaper);
         showStates();
     };
     let width = 0;
     new ResizeObserver(() => {
-        if (Math.abs(node.clientWidth - width) < 8) return;
+        if (matchMedia('print').matches || Math.abs(node.clientWidth - width) < 8) return;
         width = node.clientWidth;
         draw();
     }).observe(node);
     return {
         node,
         draw,
+        /// Draws for paper, or for the window again.
+        toPaper(is) {
+            onPaper = is;
+            draw();
+        },
+        /// Marks methods for good, without drawing anything again.
+        mark(methods) {
+            if (!last) return;
+            last.mark = methods;
+            showMarks();
+        },
         /// @param shown  of table(), as the filters leave it
         update(shown, keep, scenes, state) {
-            const drawn = (profile) => shown.rows.filter((row) => (shown.entry(row, profile)?.rank ?? 9) < 3).length;
+            const drawn = (profile) => shown.rows.filter((row) => isDrawn(shown.entry(row, profile)?.verdict ?? 'refused')).length;
             const best = [...shown.profiles].sort((a, b) => drawn(b) - drawn(a))[0] ?? '';
             fillSelect(chip, shown.profiles, shown.profiles.includes(state.chip) ? state.chip : best);
             fillSelect(scene, scenes, scenes.includes(state.path) ? state.path : scenes[0]);
-            last = { shown, keep };
+            last = { shown, keep, mark: state.mark };
             draw();
         },
     };

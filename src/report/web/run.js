@@ -39,6 +39,12 @@ export class Cells {
         if (!this.ids) this.nameAll();
         return this.ids[cell];
     }
+    /// All cells of a name, those with "~2" too.
+    named(plain) {
+        const all = [];
+        for (let id = plain, again = 2; this.find(id) >= 0; ++again) all.push(this.find(id)), id = `${plain}~${again}`;
+        return all;
+    }
     /// @return  the cell, or -1
     find(id) {
         if (!this.ids) this.nameAll();
@@ -108,38 +114,42 @@ function numbered(cells) {
 }
 
 /// Puts together the cells for which `keep(cell)` holds: of each row and chip the worst verdict and the sum of wrong
-/// pixels over scenes and frames, the passes of the last, the median time ratio.
-/// @return  {rows, profiles, all(): their entries}
-export function table(cells, keep) {
+/// pixels over scenes and frames, the fewest and the most passes, the median time ratio.
+/// @param changed  cells that another run has otherwise
+/// @return         {rows, profiles, all(): their entries}
+export function table(cells, keep, changed = new Set()) {
     const { rows, profiles } = numbered(cells);
     const entries = new Array(rows.names.length * profiles.names.length).fill(null);
     for (let cell = 0; cell < cells.count; ++cell) {
         if (!keep(cell)) continue;
         const at = rows.of[cell] * profiles.names.length + profiles.of[cell];
         entries[at] ??= newEntry(rows.names[rows.of[cell]], profiles.names[profiles.of[cell]], cells.get('method', cell));
-        addCell(entries[at], cells, cell);
+        addCell(entries[at], cells, cell, changed.has(cell));
     }
     const there = entries.filter(Boolean);
-    for (const entry of there) {
-        entry.ratio = median(entry.ratios);
-        for (const pass of Object.keys(entry.passes)) entry.passes[pass] = cells.number(`passes.${pass}`, entry.cells.at(-1));
-    }
+    for (const entry of there) entry.ratio = median(entry.ratios);
     return { rows: rows.names, profiles: profiles.names, all: () => there };
 }
+
+const passKinds = ['scene', 'volume', 'rectangle', 'copy'];
 
 function newEntry(row, profile, method) {
     return {
         row, profile, method, rank: 0, verdict: 'exact', chosen: false, edge: 0, interior: 0, wrong: 0, pixels: 0, tied: 0,
-        passes: { scene: 0, volume: 0, rectangle: 0, copy: 0 }, ratios: [], ratio: NaN, missing: new Map(), causes: new Map(),
-        error: '', cells: [], worst: -1, weight: [],
+        passes: Object.fromEntries(passKinds.map((kind) => [kind, null])), ratios: [], ratio: NaN, missing: new Map(), causes: new Map(),
+        error: '', cells: [], drawn: 0, changed: 0, worst: -1, weight: [],
     };
 }
 
-function addCell(entry, cells, cell) {
+/// Whether there is anything measured: nothing is of a cell that was refused or failed.
+export const isDrawn = (verdict) => !['refused', 'failed'].includes(verdict);
+
+function addCell(entry, cells, cell, isChanged) {
     const rank = verdicts.indexOf(cells.get('verdict', cell));
     const wrong = cells.wrong(cell);
-    // The cell that opens first: the worst; of these one with pictures; of these the one with most wrong pixels.
-    const weight = [rank, (cells.get('drawing', cell) ?? -1) >= 0 ? 1 : 0, wrong];
+    // The cell that opens first: one that changed; of these the worst; of these one with pictures; of these the one with
+    // most wrong pixels.
+    const weight = [isChanged ? 1 : 0, rank, (cells.get('drawing', cell) ?? -1) >= 0 ? 1 : 0, wrong];
     const first = weight.findIndex((value, i) => value !== entry.weight[i]);
     if (entry.worst < 0 || (first >= 0 && weight[first] > entry.weight[first])) entry.worst = cell, entry.weight = weight;
     entry.rank = Math.max(entry.rank, rank);
@@ -150,7 +160,12 @@ function addCell(entry, cells, cell) {
     entry.wrong += wrong;
     entry.pixels += cells.number('pixels', cell);
     entry.tied += cells.number('tied.truth', cell) + cells.number('tied.count', cell);
-    if (rank < 3) entry.ratios.push(cells.ratio(cell));
+    if (isDrawn(verdicts[rank])) {
+        ++entry.drawn;
+        entry.ratios.push(cells.ratio(cell));
+        for (const kind of passKinds) widen(entry.passes, kind, cells.number(`passes.${kind}`, cell));
+    }
+    if (isChanged) ++entry.changed;
     for (const { what, source } of cells.get('missing', cell) ?? []) entry.missing.set(what, source);
     for (const [cause, pixels] of Object.entries(cells.get('causes', cell) ?? {}))
         entry.causes.set(cause, (entry.causes.get(cause) ?? 0) + pixels);
@@ -158,5 +173,24 @@ function addCell(entry, cells, cell) {
     entry.cells.push(cell);
 }
 
+function widen(ranges, kind, value) {
+    const range = (ranges[kind] ??= [value, value]);
+    if (value < range[0]) range[0] = value;
+    if (value > range[1]) range[1] = value;
+}
+
+/// The fewest and the most as "1–13", or as one number where they are the same; empty where nothing was drawn.
+export const rangeText = (range, to = '\u2013') => (!range ? '' : range[0] === range[1] ? String(range[0]) : `${range[0]}${to}${range[1]}`);
+
 /// "×2.7"; empty where nothing was drawn.
 export const ratioText = (ratio) => (Number.isNaN(ratio) ? '' : `\u00d7${ratio < 10 ? ratio.toFixed(1) : Math.round(ratio)}`);
+
+/// Of the cells `there` (all of them have what `cell` has not) the same scene's nearest frame; else another scene's.
+/// @return  {mate: -1 where there is none, isSame: whether it is of the same scene}
+export function nearestMate(cells, cell, there) {
+    const frame = cells.get('frame', cell);
+    const same = there.filter((mate) => cells.get('scene', mate) === cells.get('scene', cell));
+    const distance = (mate) => Math.abs(cells.get('frame', mate) - frame) + (cells.size(mate) === cells.size(cell) ? 0 : 0.5);
+    const nearest = (list) => list.reduce((best, mate) => (best < 0 || distance(mate) < distance(best) ? mate : best), -1);
+    return { mate: nearest(same.length ? same : there), isSame: same.length > 0 };
+}

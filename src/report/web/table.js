@@ -1,14 +1,16 @@
 // The answer: methods by chips. A grid with one stop of the tabulator, in which the arrow keys walk.
 import { counted, h, plural, symbolOf } from './dom.js';
-import { ratioText } from './run.js';
+import { splitSort } from './address.js';
+import { isDrawn, rangeText, ratioText } from './run.js';
 
 /// What a row or column can be sorted by; less is better, and comes first.
 const figures = {
-    verdict: (e) => [e.rank, e.wrong, e.passes.scene + e.passes.rectangle],
-    wrong: (e) => [e.rank > 2 ? Infinity : e.wrong],
-    passes: (e) => [e.rank > 2 ? Infinity : e.passes.scene, e.passes.rectangle],
-    ratio: (e) => [Number.isNaN(e.ratio) ? Infinity : e.ratio],
+    verdict: (e) => [e.rank, e.wrong, most(e.passes.scene) + most(e.passes.rectangle)],
+    wrong: (e) => [isDrawn(e.verdict) ? e.wrong : Infinity, e.rank],
+    passes: (e) => [isDrawn(e.verdict) ? most(e.passes.scene) : Infinity, most(e.passes.rectangle), e.rank],
+    ratio: (e) => [Number.isNaN(e.ratio) ? Infinity : e.ratio, e.rank],
 };
+const most = (range) => range?.[1] ?? Infinity;
 export const figureNames = { verdict: 'verdict', wrong: 'wrong pixels', passes: 'passes', ratio: 'time ratio' };
 
 function compareLists(a, b) {
@@ -18,7 +20,7 @@ function compareLists(a, b) {
 
 /// The ids of the lines (rows of the shown table), in the state's order: "tnt:down" sorts by the column tnt, worst first.
 export function sortedLines(lines, entryAt, state) {
-    const [by, way] = splitSort(state.sort);
+    const { column: by, way } = splitSort(state.sort);
     if (!way) return lines;
     const turn = way === 'down' ? -1 : 1;
     const keyOf = (line) => {
@@ -34,14 +36,9 @@ export function sortedLines(lines, entryAt, state) {
     return keyed.map((k) => k.line);
 }
 
-export function splitSort(sort) {
-    const at = sort.lastIndexOf(':');
-    return at < 0 ? ['', ''] : [sort.slice(0, at), sort.slice(at + 1)];
-}
-
 /// What the next press on a column's heading sorts by: best first, worst first, as it was.
 function nextSort(sort, column) {
-    const [by, way] = splitSort(sort);
+    const { column: by, way } = splitSort(sort);
     if (by !== column || !way) return `${column}:up`;
     return way === 'up' ? `${column}:down` : '';
 }
@@ -49,28 +46,32 @@ function nextSort(sort, column) {
 /// The sentence that a reader of the screen says of an entry.
 export function sentenceOf(entry) {
     const head = `${entry.row} on ${entry.profile}: ${entry.verdict}`;
-    if (entry.verdict === 'refused') return `${head} for want of ${[...entry.missing.keys()].join('; ')}`;
-    if (entry.verdict === 'failed') return `${head}: ${entry.error}`;
+    const changed = entry.changed ? `, ${plural(entry.changed, 'cell')} changed` : '';
+    if (entry.verdict === 'refused') return `${head} for want of ${[...entry.missing.keys()].join('; ')}${changed}`;
+    if (entry.verdict === 'failed') return `${head}: ${entry.error}${changed}`;
     const ratio = ratioText(entry.ratio);
-    return `${head}, ${plural(entry.wrong, 'wrong pixel')}, ${plural(entry.passes.scene, 'scene pass').replace(/passs$/, 'passes')}, ` +
-        plural(entry.passes.rectangle, 'rectangle') + (ratio ? `, ${ratio.slice(1)} times the frame without shadows` : '') +
-        (entry.chosen ? ', the path that gnomon takes on this chip' : '');
+    return `${head}, ${plural(entry.wrong, 'wrong pixel')}, ${passWords(entry.passes.scene, 'scene pass', 'scene passes')}, ` +
+        passWords(entry.passes.rectangle, 'rectangle', 'rectangles') + (ratio ? `, ${ratio.slice(1)} times the frame without shadows` : '') +
+        (entry.chosen ? ', the path that gnomon takes on this chip' : '') + changed;
 }
+
+/// "1 to 13 scene passes"
+const passWords = (range, one, many) => `${rangeText(range, ' to ')} ${most(range) === 1 ? one : many}`;
 
 function entryButton(entry, open) {
     const { verdict } = entry;
     const sentence = sentenceOf(entry);
-    const first = [symbolOf(verdict), h('b', {}, verdict)];
+    const first = [symbolOf(verdict), h('b', {}, verdict), entry.changed ? h('span.delta', {}, '\u0394') : null];
     let second = [];
     if (verdict === 'refused') {
         const [what] = entry.missing.keys();
         second = [h('span.what', {}, what ?? ''), entry.missing.size > 1 ? h('span', {}, `+${entry.missing.size - 1}`) : null];
     } else if (verdict !== 'failed') {
-        first.push(h('span.passes', {}, `${entry.passes.scene}/${entry.passes.rectangle}`, entry.chosen ? h('b.chosen', {}, '*') : null));
+        first.push(h('span.passes', {}, `${rangeText(entry.passes.scene)}/${rangeText(entry.passes.rectangle)}`, entry.chosen ? h('b.chosen', {}, '*') : null));
         second = [h('span', {}, entry.wrong ? [counted(entry.wrong), h('span.unit', {}, ' px')] : null), h('span', {}, ratioText(entry.ratio))];
     }
     return h(`button.entry.${verdict}`, {
-        type: 'button', tabIndex: -1, 'aria-label': sentence, title: sentence, onclick: () => open(entry),
+        type: 'button', tabIndex: -1, 'aria-label': sentence, title: sentence, 'data-row': entry.row, 'data-profile': entry.profile, onclick: () => open(entry),
     }, h('span.line', {}, first), h('span.line.figures', {}, second));
 }
 
@@ -82,7 +83,7 @@ export function answerTable(shown, state, actions, about) {
     const [columns, unsorted] = turned ? [shown.rows, shown.profiles] : [shown.profiles, shown.rows];
     const entryAt = (line, column) => (turned ? shown.entry(column, line) : shown.entry(line, column));
     const lines = sortedLines(unsorted, entryAt, state);
-    const [by, way] = splitSort(state.sort);
+    const { column: by, way } = splitSort(state.sort);
     const heading = (column, label, below) => {
         const sorted = way && by === column ? { up: 'ascending', down: 'descending' }[way] : 'none';
         return h('th', { scope: 'col', role: 'columnheader', 'aria-sort': sorted },
@@ -108,6 +109,14 @@ export function answerTable(shown, state, actions, about) {
 function walk(table) {
     const rows = [...table.rows];
     const at = (row, column) => rows[row]?.cells[column]?.querySelector('button');
+    /// The button of a row that is nearest to a column.
+    const nearest = (row, column) => {
+        for (let off = 0; off < rows[0].cells.length; ++off) {
+            const button = at(row, column - off) ?? at(row, column + off);
+            if (button) return button;
+        }
+        return null;
+    };
     const stop = (button) => {
         for (const other of table.querySelectorAll('button[tabindex="0"]')) other.tabIndex = -1;
         button.tabIndex = 0;
@@ -128,13 +137,24 @@ function walk(table) {
         if (!moves[event.key] || (far && !['Home', 'End'].includes(event.key))) return;
         event.preventDefault();
         // Over what holds no button (the names of lines, a pair that wasn't drawn) to the next that does.
-        let [r, c, dr, dc] = moves[event.key];
-        while (r >= 0 && r < height && c >= 0 && c < width) {
-            const button = at(r, c);
-            if (button) return button.focus();
-            r += dr, c += dc;
-        }
+        const [r0, c0, dr, dc] = moves[event.key];
+        const inside = (r, c) => r >= 0 && r < height && c >= 0 && c < width && (r !== row || c !== column);
+        for (let r = r0, c = c0; inside(r, c); r += dr, c += dc) if (at(r, c)) return at(r, c).focus();
+        // Only the heading of the names' column is a button: up and down go on beside it.
+        for (let r = r0; dr && inside(r, column) && r !== row; r += dr) if (nearest(r, column)) return nearest(r, column).focus();
     });
     const first = table.tBodies[0].querySelector('button') ?? table.querySelector('button');
     if (first) stop(first);
 }
+
+/// The shown table as rows for CSV; what was not measured is empty.
+export const tableRows = (shown) => shown.all().map((e) => {
+    const measured = (value) => (e.drawn ? value : null);
+    const both = (name, range) => ({ [`${name}_min`]: range?.[0], [`${name}_max`]: range?.[1] });
+    return {
+        profile: e.profile, method: e.row, verdict: e.verdict, chosen: e.chosen, cells: e.cells.length, changed: e.changed,
+        ...both('scene_passes', e.passes.scene), ...both('volume_passes', e.passes.volume), ...both('rectangles', e.passes.rectangle), ...both('copies', e.passes.copy),
+        wrong_edge: measured(e.edge), wrong_interior: measured(e.interior), tied: measured(e.tied), pixels: measured(e.pixels), time_ratio: e.ratio,
+        causes: [...e.causes].map(([cause, pixels]) => `${cause}: ${pixels}`).join('; '), missing: [...e.missing].map(([what, source]) => `${what} [${source}]`).join('; '), error: e.error,
+    };
+});

@@ -21,19 +21,20 @@ const noLoader = Object.assign(loader(), {
 // A plot of no rows warns of its empty scales; that is said beside it.
 const quiet = Object.fromEntries(['level', 'error', 'warn', 'info', 'debug'].map((name) => [name, function () { return this; }]));
 
-/// Draws a specification of Vega-Lite.
-/// @param page  of pageConfig(): the page's colours and letters
-/// @return      Vega's view
-export async function drawPlot(spec, page, box) {
-    const narrow = box.clientWidth < 560;
-    const legend = narrow ? { orient: 'bottom', columns: 2 } : { orient: 'right' };
+/// Draws a specification of Vega-Lite. Nothing in it waits for more than a promise that is kept already: paper doesn't wait.
+/// @param page      of pageConfig(): the page's colours and letters
+/// @param width     of the whole, pixels
+/// @param labelsOf  gives the rows of the data "labels" once the scales are known; may be left out
+/// @return          Vega's view
+export async function drawPlot(spec, page, box, width, labelsOf) {
+    const legend = width < 560 ? { orient: 'bottom', columns: 2 } : { orient: 'right' };
     const { spec: vega } = compile({
-        $schema: 'https://vega.github.io/schema/vega-lite/v6.json',
-        width: Math.max(220, box.clientWidth - 8), autosize: { type: 'fit-x', contains: 'padding' }, ...spec,
+        $schema: 'https://vega.github.io/schema/vega-lite/v6.json', width, autosize: { type: 'fit-x', contains: 'padding' }, ...spec,
         config: { ...page, legend: { ...page.legend, ...legend } },
     }, { logger: quiet });
     const view = new View(parse(vega, null, { ast: true }), { expr: expressionInterpreter, renderer: 'svg', loader: noLoader, logger: quiet });
     view.initialize(box);
     await view.runAsync();
+    if (labelsOf) await view.data('labels', labelsOf({ x: view.scale('x'), y: view.scale('y'), width: view.width(), height: view.height() })).runAsync();
     return view;
 }

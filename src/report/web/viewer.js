@@ -5,7 +5,9 @@ import { canvasOf, coloured, valueText } from './pictures.js';
 const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
 /// @param views    [{id, label, picture}], decoded, all of one size
-/// @param options  {pair: [left id, right id], divider: 0..1, label, keep(what the reader chose)}
+/// @param options  {pair: [left id, right id], divider: 0..1, zoom: pixels of the screen for one of the picture (0: all of it is
+///                 seen), pixel: {x, y} or null, height(): of the window that the picture may take, label, keep(what the reader
+///                 chose: {pair, divider, zoom, pixel}, the last two as text)}
 export function viewer(views, causes, options) {
     const byId = new Map(views.map((view) => {
         const image = coloured(view.picture, causes);
@@ -15,8 +17,9 @@ export function viewer(views, causes, options) {
     const has = (id, otherwise) => (byId.has(id) ? id : otherwise);
     const state = {
         left: has(options.pair[0], views[0].id), right: has(options.pair[1], views.at(-1).id),
-        divider: options.divider ?? 0.5, scale: 0, x: 0, y: 0, cursor: null, blinking: 0, blinked: false,
+        divider: options.divider ?? 0.5, scale: (options.zoom ?? 0) * (window.devicePixelRatio || 1), x: 0, y: 0, cursor: null, pinned: null, blinking: 0, blinked: false,
     };
+    let isPlaced = false;  // whether the pixel of the address has been brought into view
 
     const canvas = h('canvas');
     const stage = h('div.stage', {
@@ -52,13 +55,14 @@ export function viewer(views, causes, options) {
     const ratio = () => window.devicePixelRatio || 1;
     /// Device pixels that a pixel of the picture fills where all of it is seen.
     const fitted = () => {
-        const room = Math.min((stage.clientWidth * ratio()) / width, (Math.max(240, window.innerHeight * 0.6) * ratio()) / height);
+        const room = Math.min((stage.clientWidth * ratio()) / width, ((options.height?.() ?? Math.max(240, window.innerHeight * 0.6)) * ratio()) / height);
         return room >= 1 ? Math.floor(room) : room;
     };
     const scaleNow = () => state.scale || fitted();
 
     function draw() {
         if (!node.isConnected || !stage.clientWidth) return;
+        if (!isPlaced) place();
         const whole = fitted(), scale = scaleNow();
         canvas.width = Math.round(width * whole), canvas.height = Math.round(height * whole);
         canvas.style.width = `${canvas.width / ratio()}px`;
@@ -129,8 +133,19 @@ export function viewer(views, causes, options) {
     }
 
     function chose() {
-        options.keep?.({ pair: [state.left, state.right], divider: state.divider });
+        options.keep?.({
+            pair: [state.left, state.right], divider: state.divider,
+            zoom: state.scale ? String(Math.round((1000 * state.scale) / ratio()) / 1000) : '', pixel: state.pinned ? `${state.pinned.x},${state.pinned.y}` : '',
+        });
         draw();
+    }
+    /// Once it is known how large the picture is: the zoom and the pixel that it begins with.
+    function place() {
+        isPlaced = true;
+        if (state.scale && state.scale <= fitted()) state.scale = 0;
+        const { x, y } = options.pixel ?? { x: width / 2, y: height / 2 };
+        if (state.scale) state.x = x + 0.5 - (width * fitted()) / state.scale / 2, state.y = y + 0.5 - (height * fitted()) / state.scale / 2;
+        if (options.pixel && x < width && y < height) state.pinned = { x, y }, show(x, y);
     }
     function swap() {
         [state.left, state.right] = [state.right, state.left];
@@ -157,7 +172,7 @@ export function viewer(views, causes, options) {
     }
     function fit() {
         state.scale = 0;
-        draw();
+        chose();
     }
     /// Doubles or halves, about the cursor or the middle.
     function zoom(step) {
@@ -169,7 +184,7 @@ export function viewer(views, causes, options) {
         const after = scaleNow();
         state.x = about.x + 0.5 - ((about.x + 0.5 - state.x) * before) / after;
         state.y = about.y + 0.5 - ((about.y + 0.5 - state.y) * before) / after;
-        draw();
+        chose();
     }
     /// @return  what the pixel holds, in words
     function show(x, y) {
@@ -187,7 +202,8 @@ export function viewer(views, causes, options) {
         const { x, y } = state.cursor;
         state.x = Math.max(x + 1 - across, Math.min(x, state.x));
         state.y = Math.max(y + 1 - down, Math.min(y, state.y));
-        draw();
+        state.pinned = state.cursor;
+        chose();
     }
 
     stage.addEventListener('keydown', (event) => {
@@ -208,27 +224,37 @@ export function viewer(views, causes, options) {
         chose();
     };
 
-    // The pointer: over pixels it shows their values; near the divider it moves that, else it moves a zoomed picture.
-    const place = (event) => {
+    // The pointer: over pixels it shows their values, and a click keeps one; near the divider it moves that, else it moves a
+    // zoomed picture.
+    const placeOf = (event) => {
         const box = canvas.getBoundingClientRect();
         return [(event.clientX - box.left) * ratio(), (event.clientY - box.top) * ratio()];
     };
-    let drag = null;
+    let drag = null, dragged = false;
     canvas.addEventListener('pointerdown', (event) => {
-        const [x, y] = place(event);
+        const [x, y] = placeOf(event);
+        dragged = false;
         const near = !state.blinking && Math.abs(x - state.divider * canvas.width) < 10 * ratio();
         if (!near && !state.scale) return;
         drag = { divider: near, x, y, from: [state.x, state.y] };
         canvas.setPointerCapture(event.pointerId);
     });
     canvas.addEventListener('pointermove', (event) => {
-        const [x, y] = place(event), scale = scaleNow();
+        const [x, y] = placeOf(event), scale = scaleNow();
+        dragged ||= Boolean(drag);
         if (drag?.divider) return (state.divider = Math.max(0, Math.min(1, x / canvas.width))), chose();
         if (drag) return ([state.x, state.y] = [drag.from[0] - (x - drag.x) / scale, drag.from[1] - (y - drag.y) / scale]), draw();
         show(Math.floor(state.x + x / scale), Math.floor(state.y + y / scale));
     });
     canvas.addEventListener('pointerup', () => (drag = null));
     canvas.addEventListener('pointercancel', () => (drag = null));
+    canvas.addEventListener('click', (event) => {
+        if (dragged) return;
+        const [x, y] = placeOf(event), scale = scaleNow();
+        show(Math.floor(state.x + x / scale), Math.floor(state.y + y / scale));
+        state.pinned = state.cursor;
+        chose();
+    });
     canvas.addEventListener('dblclick', () => zoom(1));
     canvas.addEventListener('wheel', (event) => {
         if (!event.ctrlKey) return;

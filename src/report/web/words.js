@@ -5,7 +5,7 @@ import { counted, plural } from './dom.js';
 export function explanation(cells, cell) {
     const number = (name) => cells.number(name, cell);
     const verdict = cells.get('verdict', cell);
-    if (verdict === 'refused') return ['The chip lacks what the passes of this method need, so nothing was drawn. What it lacks, and who says so, stands below.'];
+    if (verdict === 'refused') return ['The chip lacks what the passes of this method need, so nothing was drawn and nothing measured. What it lacks, and who says so, stands below.'];
     if (verdict === 'failed') return [`A fault of gnomon or of the driver: ${cells.get('error', cell) || 'no more is known'}.`];
     const edge = number('wrong.edge'), interior = number('wrong.interior');
     const sentences = [{
@@ -34,10 +34,19 @@ const divisor = { 0.5: '1/2', 0.25: '1/4' };
 /// A word as the shell takes it.
 const quoted = (word) => (/^[\w./,:=+-]+$/.test(word) ? word : `'${word.replaceAll("'", "'\\''")}'`);
 
-/// The command that draws a cell.
-export function renderCommand(cells, cell, methods) {
+/// A number as it was written: a value of single precision stands in the run with more digits than it was given with.
+export function numberText(number) {
+    if (Number.isInteger(number) || Math.fround(number) !== number) return String(number);
+    for (let digits = 1; ; ++digits) {
+        const text = String(Number(number.toPrecision(digits)));
+        if (Math.fround(Number(text)) === number) return text;
+    }
+}
+
+/// A command about a cell's plan: scene, chip, method, size and frame.
+function planWords(cells, cell, methods, command) {
     const get = (name) => cells.get(name, cell);
-    const line = ['gnomon', 'render', get('scene'), '--profile', get('profile')];
+    const line = ['gnomon', command, get('scene'), '--profile', get('profile')];
     if (methods.some((method) => method.id === get('method') && method.source) || get('method') === 'auto') {
         line.push('--method', get('method'));
     } else {
@@ -47,18 +56,31 @@ export function renderCommand(cells, cell, methods) {
     }
     for (const [name, flag] of Object.entries(options))
         if (get(name) !== undefined && get(name) !== null) line.push(flag, get(name));
-    const unless = (name, flag, usual) => {
-        const value = get(name);
-        if (value !== undefined && value !== null && value !== usual) line.push(flag, value);
-    };
-    unless('shade', '--shade', 'attenuated');
-    line.push('--size', cells.size(cell), '--frame', get('frame'));
-    unless('fidelity', '--fidelity', 'gl');
-    unless('dither', '--dither', 'off');
-    unless('blend_unit', '--blend-unit', '');
-    unless('device', '--device', 'osmesa');
-    if (get('method') !== 'auto') unless('effects', '--effects', 'full');
-    for (const [flag, value] of Object.entries(get('view') ?? {})) line.push(`--${flag}`, value);
-    line.push('-o', 'image.png', '--mask', 'mask.png', '--truth', 'truth.png', '--steps', 'steps');
-    return line.map((word) => quoted(String(word))).join(' ');
+    line.push(...unless(get('shade'), '--shade', 'attenuated'), '--size', cells.size(cell), '--frame', get('frame'));
+    return line;
 }
+
+/// A flag with its value, where that is not the usual one.
+const unless = (value, flag, usual) => (value !== undefined && value !== null && value !== usual ? [flag, value] : []);
+
+/// How a cell's passes are told apart from the usual ones: what is simulated, and from where the scene is seen.
+function viewWords(cells, cell) {
+    const effects = cells.get('method', cell) === 'auto' ? [] : unless(cells.get('effects', cell), '--effects', 'full');
+    return [...effects, ...Object.entries(cells.get('view', cell) ?? {}).flatMap(([flag, value]) => [`--${flag}`, value])];
+}
+
+const commandOf = (words) => words.map((word) => quoted(typeof word === 'number' ? numberText(word) : String(word))).join(' ');
+
+/// The command that draws a cell.
+export function renderCommand(cells, cell, methods) {
+    const get = (name) => cells.get(name, cell);
+    return commandOf([
+        ...planWords(cells, cell, methods, 'render'),
+        ...unless(get('fidelity'), '--fidelity', 'gl'), ...unless(get('dither'), '--dither', 'off'), ...unless(get('blend_unit'), '--blend-unit', ''),
+        ...unless(get('device'), '--device', 'osmesa'), ...viewWords(cells, cell),
+        '-o', 'image.png', '--mask', 'mask.png', '--truth', 'truth.png', '--steps', 'steps',
+    ]);
+}
+
+/// The command that says why a cell is refused: render would only say that it is.
+export const planCommand = (cells, cell, methods) => commandOf([...planWords(cells, cell, methods, 'plan'), ...viewWords(cells, cell)]);

@@ -1,17 +1,12 @@
 // The page without a mouse, in both themes, at all widths, on paper.
 import assert from 'node:assert/strict';
-import { after, before, describe, it } from 'node:test';
-import { close, closeBrowser, focused, open, openBrowser, skip, smallReport } from './browser.mjs';
+import { after, before, describe } from 'node:test';
+import { closeBrowser, comparedReport, focused, onPage as test, openBrowser, reportFile, skip } from './browser.mjs';
+import { makeRun } from './fixture.mjs';
 
 describe('report page, for all', { skip }, () => {
     before(openBrowser);
     after(closeBrowser);
-    const test = (name, options, body) => it(name, async () => {
-        const tab = await open(smallReport(), options);
-        await body(tab);
-        assert.deepEqual(tab.faults, []);
-        await close(tab);
-    });
 
     test('a walk by keyboard: skip link, table, cell, strip, and back', {}, async (tab) => {
         await tab.keyboard.press('Tab');
@@ -167,14 +162,100 @@ describe('report page, for all', { skip }, () => {
         });
     }
 
-    test('on paper: the table and no controls', {}, async (tab) => {
-        await tab.emulateMedia({ media: 'print' });
-        assert.equal(await tab.locator('.filters').isVisible(), false);
-        assert.equal(await tab.locator('#theme').isVisible(), false);
-        assert.ok(await tab.locator('.answer').isVisible());
-        assert.ok(await entryOf(tab).isVisible());
-        const pdf = await tab.pdf();
-        assert.equal(pdf.subarray(0, 4).toString(), '%PDF');
+    test('no column of the table is a trap: from every corner all four arrows move on, or stay where nothing is beyond', {}, async (tab) => {
+        const at = () => tab.evaluate(() => {
+            const cell = document.activeElement.closest('.answer td, .answer th');
+            return cell ? [cell.parentNode.rowIndex, cell.cellIndex] : null;
+        });
+        const press = async (from, key) => {
+            await tab.locator('.answer').evaluate((table, [row, column]) => table.rows[row].cells[column].querySelector('button').focus(), from);
+            await tab.keyboard.press(key);
+            return at();
+        };
+        const moves = { // 9 rows of 6 columns; of the first only the heading is a button
+            '0,0': { ArrowUp: [0, 0], ArrowDown: [1, 1], ArrowLeft: [0, 0], ArrowRight: [0, 1] },
+            '0,5': { ArrowUp: [0, 5], ArrowDown: [1, 5], ArrowLeft: [0, 4], ArrowRight: [0, 5] },
+            '8,1': { ArrowUp: [7, 1], ArrowDown: [8, 1], ArrowLeft: [8, 1], ArrowRight: [8, 2] },
+            '8,5': { ArrowUp: [7, 5], ArrowDown: [8, 5], ArrowLeft: [8, 4], ArrowRight: [8, 5] },
+        };
+        for (const [from, keys] of Object.entries(moves))
+            for (const [key, to] of Object.entries(keys)) assert.deepEqual(await press(from.split(',').map(Number), key), to, `${from} ${key}`);
+        assert.deepEqual(await press([0, 0], 'PageDown'), [8, 1]);
+        assert.deepEqual(await press([8, 5], 'Control+Home'), [0, 0]);
+        await tab.keyboard.press('ArrowDown');
+        assert.deepEqual(await at(), [1, 1]);
     });
-    const entryOf = (tab) => tab.locator('.entry.edge').first();
+
+    test('the skip link keeps what was filtered', { hash: '#verdict=edge' }, async (tab) => {
+        await tab.keyboard.press('Tab');
+        await tab.keyboard.press('Enter');
+        assert.equal(await tab.evaluate(() => document.activeElement.id), 'answer');
+        assert.equal(new URL(tab.url()).hash, '#verdict=edge');
+        assert.equal(await tab.locator('.answer tbody tr').count(), 1);
+    });
+
+    test('the table is explained above it, every sign of it', { address: comparedReport, hash: '#changed=all' }, async (tab) => {
+        const legend = tab.locator('.legend');
+        assert.ok((await legend.boundingBox()).y < (await tab.locator('.answer').boundingBox()).y);
+        assert.equal(await legend.locator('dl').isVisible(), false);
+        await legend.locator('summary').click();
+        const signs = await legend.locator('dt').allTextContents();
+        // What stands in entries beside numbers and words is named there.
+        const used = await tab.locator('.entry').evaluateAll((nodes) => [...new Set(nodes.flatMap((node) => [...node.querySelectorAll('.line > *')].map((part) => part.textContent)).filter(Boolean))]);
+        const of = (text) => (/^\+\d/.test(text) ? '+3' : /\*$/.test(text) ? '*' : /\d\u2013\d.*\//.test(text) ? '1\u201313/4' : /^\d+\/\d+/.test(text) ? '2/3' : / px$/.test(text) ? '72 px' : /^\u00d7/.test(text) ? '\u00d72.7' : text);
+        const lacks = ['stencil', 'blend equation max'];
+        const unnamed = [...new Set(used.map(of))].filter((sign) => !signs.includes(sign) && !lacks.includes(sign));
+        assert.deepEqual(unnamed, []);
+        for (const sign of ['+3', '\u0394', '*', '1\u201313/4']) assert.ok(used.map(of).includes(sign), sign);
+    });
+
+    const paper = { width: 1047, height: 718 };  // A4 on its side without its margins, at 96 pixels an inch
+    const wide = () => {
+        const made = makeRun({ chipCount: 41, methodCount: 21, frames: 2, scenes: ['boxes'] });
+        for (const list of made.run.cells.columns.missing.dictionary) if (list.length) list[0] = { ...list[0], what: 'alpha blend factors one_minus_dst_color zero (only zero, one)' };
+        return reportFile('wide.html', made);
+    };
+    test('on paper: all of the table, drawn plots, no controls', { address: wide, ...paper, scheme: 'dark', plots: true }, async (tab) => {
+        await tab.emulateMedia({ media: 'print' });
+        await tab.locator('.sheets').waitFor();
+        await tab.waitForFunction(() => document.querySelectorAll('.plot-box > svg[width="470"], .plot-box > * svg[width="470"]').length === 3);
+        for (const control of ['.filters', '#theme', '.tools', '.method-marks', '.answer-box', '.plot button']) assert.equal(await tab.locator(control).first().isVisible(), false, control);
+        const cut = await tab.evaluate(() => [...document.querySelectorAll('.sheets .answer, .sheets .entry, .sheets .head, .sheets .what, .plot-box svg, .graph svg')].filter((node) => {
+            const box = node.getBoundingClientRect();
+            return box.width < 1 || box.right > innerWidth + 1 || (node.tagName !== 'svg' && node.scrollWidth > node.clientWidth + 1);
+        }).map((node) => `${node.tagName} ${node.textContent.slice(0, 40)}`));
+        assert.deepEqual(cut, []);
+        assert.equal(await tab.locator('.sheets .entry').count(), 41 * 21);
+        assert.ok(await tab.locator('.sheets .entry').evaluateAll((nodes) => nodes.every((node) => parseFloat(getComputedStyle(node).fontSize) >= 8)));
+        assert.ok(await tab.locator('.plot-box svg').evaluateAll((all) => all.length === 4 && all.every((node) => node.getBoundingClientRect().height > 100)));
+        // The paper is white, whatever the theme.
+        assert.equal(await tab.locator('.result').evaluate((node) => getComputedStyle(node).color), 'rgb(30, 35, 39)');
+        await tab.emulateMedia({ media: 'screen' });
+        await tab.locator('.answer-box').waitFor();
+        assert.equal(await tab.locator('.sheets').count(), 0);
+        assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme ?? 'none'), 'none');
+    });
+
+    test('on paper: plots that were put off are drawn before the printer begins', { plots: true }, async (tab) => {
+        // A filter changes the plots 60 ms later, and the printer comes at once.
+        const seen = await tab.evaluate(async () => {
+            document.querySelector('[data-verdict=exact]').click();
+            await Promise.resolve();
+            window.dispatchEvent(new Event('beforeprint'));
+            for (let i = 0; i < 300; ++i) await Promise.resolve();
+            const hasOld = document.querySelector('#plot-passes svg').textContent.includes('williams');
+            return [hasOld, ...['accuracy', 'path', 'passes'].map((id) => [document.querySelector(`#plot-${id}`).dataset.drawn > 0, document.querySelectorAll(`#plot-${id} svg`).length, document.querySelector(`#plot-${id} svg`)?.getAttribute('width') < 490])];
+        });
+        assert.deepEqual(seen, [false, ...Array(3).fill([true, 1, true])]);
+        const pages = (await tab.pdf({ preferCSSPageSize: true })).toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+        assert.ok(pages >= 2, String(pages));
+    });
+
+    test('on paper: an opened cell alone, with its pictures', { hash: '#cell=tnt/roettger-half/boxes/48x36/0', ...paper }, async (tab) => {
+        await tab.locator('.strip .viewer').waitFor();
+        await tab.emulateMedia({ media: 'print' });
+        assert.equal(await tab.locator('h1').isVisible(), false);
+        assert.ok(await tab.locator('dialog .viewer canvas').first().isVisible());
+        assert.ok(await tab.evaluate(() => [...document.querySelectorAll('dialog canvas, dialog pre, dialog code')].every((node) => node.getBoundingClientRect().right <= innerWidth)));
+    });
 });

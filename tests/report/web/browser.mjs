@@ -1,7 +1,9 @@
 // What the tests of the page share: a browser, and a report opened from disk, of which every request and every word on the
 // console is written down.
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import assert from 'node:assert/strict';
 import { createRequire } from 'node:module';
+import { it } from 'node:test';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -44,10 +46,14 @@ export function reportFile(name, made) {
     return pathToFileURL(file).href;
 }
 
-let small = null;
-export const smallRun = () => (small ??= makeRun());
-let smallFile = null;
-export const smallReport = () => (smallFile ??= reportFile('small.html', smallRun()));
+const once = (make) => {
+    let made = null;
+    return () => (made ??= make());
+};
+export const smallRun = once(() => makeRun());
+export const smallReport = once(() => reportFile('small.html', smallRun()));
+/// The same, compared with an older run.
+export const comparedReport = once(() => reportFile('compared.html', makeRun({ withCompare: true })));
 
 /// Opens a report at an address.
 /// @return  the page; `page.faults` are errors, warnings and requests that leave the file
@@ -68,6 +74,15 @@ export async function open(address = smallReport(), { hash = '', width = 1280, h
     return tab;
 }
 export const close = (tab) => tab.context().close();
+
+/// A test on a page of its own, that must be without faults at the end.
+/// @param options  of open(), and address(): of another report than the small one
+export const onPage = (name, options, body) => it(name, async () => {
+    const tab = await open(options.address?.() ?? smallReport(), options);
+    await body(tab);
+    assert.deepEqual(tab.faults, []);
+    await close(tab);
+});
 
 /// The text of what is focused: its label, else its words.
 export const focused = (tab) => tab.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent);

@@ -108,11 +108,12 @@ function drawing(writer, width, height, wrong) {
     return { width, height, chunk: writer.chunks.length - 1, frame: 0, pictures: { image: i, mask: m, truth: t, causes: c, difference: d }, strip };
 }
 
+const lacks = (...whats) => whats.map((what) => ({ capability: what, what, source: 'a source' }));
 const refusals = { heidmann: ['voodoo2', 'i740', 'ps2'], carmack: ['voodoo2', 'i740', 'ps2'], 'roettger-alpha': ['voodoo2', 'i740'], 'roettger-screen-max': ['voodoo2', 'i740', 'tnt'] };
 
 /// @param size  {chips, scenes, frames}: how many; more chips than there are get made-up names
 /// @return      {run, pictures}: the object of the contract, and its pictures
-export function makeRun({ chipCount = chips.length, methodCount = methodRows.length, scenes = ['boxes', 'hard/eye & light'], frames = 3, withCompare = true, only = () => true } = {}) {
+export function makeRun({ chipCount = chips.length, methodCount = methodRows.length, scenes = ['boxes', 'hard/eye & light'], frames = 3, withCompare = false, only = () => true } = {}) {
     const random = numbers(7), writer = new PictureWriter();
     const allChips = Array.from({ length: chipCount }, (_, i) => chips[i] ?? [`chip${i}`, `Chip number ${i}`, 'PC card', 1999]);
     const allMethods = Array.from({ length: methodCount }, (_, i) => methodRows[i] ?? [`method${i}`, 'stencil', 'count', 'zpass']);
@@ -131,7 +132,7 @@ export function makeRun({ chipCount = chips.length, methodCount = methodRows.len
             width: 48, height: 36, frame, lights: 1, fidelity: 'gl', device: 'osmesa', effects: 'full', verdict, chosen: method === 'roettger-screen' && !['ideal', 'tnt'].includes(profile),
             missing: refused ? [{ capability: 'stencil', what: store === 'stencil' ? 'stencil' : 'blend equation max', source: 'M-TDFX: Napalm only' }, { capability: 'beside', what: 'destination alpha beside depth', source: 'MAME (as SST-1)' }] : [],
             causes: wrong ? { [cause]: wrong } : {},
-            'passes.scene': store === 'stencil' ? 1 : 2, 'passes.volume': 24, 'passes.rectangle': store === 'screen' ? 3 : 1, 'passes.copy': 0,
+            'passes.scene': method === 'heidmann' ? 1 + 6 * frame : store === 'stencil' ? 1 : 2, 'passes.volume': 24, 'passes.rectangle': store === 'screen' ? 3 : 1, 'passes.copy': 0, 'nesting.fronts': drawn ? 2 : 0,
             pixels: drawn ? 1728 : 0, 'tied.truth': drawn ? 5 : 0, 'tied.count': drawn ? 2 : 0, 'wrong.edge': verdict === 'edge' ? wrong : 0, 'wrong.interior': verdict === 'wrong' ? wrong : 0,
             unpredicted: 0, warnings: method === 'roettger-alpha' ? ['resolves 2 levels; up to 4 volumes may nest'] : [], vertices: 1056, clock: 'thread',
             cpu_ms: drawn ? Math.round(1000 * (0.9 + 3 * random() * (1 + cells.length % 5))) / 1000 : 0, unshadowed_ms: drawn ? 0.7 : 0, digest: '6c6f355706f7a9f6',
@@ -153,7 +154,10 @@ export function makeRun({ chipCount = chips.length, methodCount = methodRows.len
             old: { command: 'gnomon matrix boxes', program: 'gnomon 0.0.9' },
             changes: [
                 { cause: 'verdict: exact -> edge', cells: [{ cell: 'tnt/roettger-half/boxes/48x36/0', old: { verdict: 'exact', wrong: { edge: 0, interior: 0 } }, new: { verdict: 'edge', wrong: { edge: 12, interior: 0 } } }] },
-                { cause: 'new cell', cells: [{ cell: 'tnt/williams/boxes/48x36/0', old: null, new: { verdict: 'exact' } }] },
+                { cause: 'verdict: wrong -> exact', cells: [{ cell: 'tnt/heidmann/boxes/48x36/1', old: { verdict: 'wrong', 'wrong.interior': 7 }, new: { verdict: 'exact', 'wrong.interior': 0 } }] },
+                { cause: 'limits: stencil, old lack -> stencil, destination alpha beside depth', cells: [{ cell: 'voodoo2/heidmann/boxes/48x36/0', old: { missing: lacks('stencil', 'old lack') }, new: { missing: lacks('stencil', 'destination alpha beside depth') } }] },
+                { cause: 'only in the new run', cells: [{ cell: 'tnt/williams/boxes/48x36/0', old: null, new: { verdict: 'exact' } }] },
+                { cause: 'only in the old run', cells: [{ cell: 'tnt/gone/boxes/48x36/0', old: { verdict: 'exact' }, new: null }] },
             ],
         },
     };

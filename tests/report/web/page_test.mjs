@@ -1,7 +1,7 @@
 // The page in a browser: opened from disk, used with pointer and keyboard.
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
-import { close, closeBrowser, download, focused, open, openBrowser, reportFile, skip, smallReport, smallRun } from './browser.mjs';
+import { close, closeBrowser, comparedReport, download, focused, onPage as test, open, openBrowser, reportFile, skip, smallReport, smallRun } from './browser.mjs';
 import { makeRun, plainPicture } from './fixture.mjs';
 
 const shown = (tab) => tab.locator('#shown').textContent();
@@ -13,17 +13,11 @@ describe('report page', { skip }, () => {
     before(openBrowser);
     after(closeBrowser);
 
-    /// A test on a page of its own, that must be without faults at the end.
-    const test = (name, options, body) => it(name, async () => {
-        const tab = await open(options.address?.() ?? smallReport(), options);
-        await body(tab);
-        assert.deepEqual(tab.faults, []);
-        await close(tab);
-    });
-
     test('opens from disk without a request or a word on the console', { plots: true }, async (tab) => {
         assert.match(tab.url(), /^file:/);
-        assert.equal(await tab.locator('h1').count(), 1);
+        assert.deepEqual((await tab.locator('h1').allTextContents()).map(plain), ['8 shadow methods on 5 graphics chips, in 2 scenes of 3 frames: 240 cells']);
+        assert.equal(await tab.locator('#result').textContent(), 'roettger-screen is exact in every scene and frame on 5 of 5 chips, more than any other method. Every chip has one that is. 2 cells failed, by a fault of gnomon or of the driver.');
+        assert.ok((await tab.locator('#result').boundingBox()).y < (await tab.locator('.answer').boundingBox()).y);
         assert.equal(plain(await shown(tab)), '8 methods on 5 chips: 240 cells of 240');
     });
 
@@ -37,6 +31,9 @@ describe('report page', { skip }, () => {
 
     test('says what a cell of the table holds, in words as well as in colours', {}, async (tab) => {
         assert.equal(await entry(tab, 'heidmann', 'voodoo2').getAttribute('aria-label'), 'heidmann on voodoo2: refused for want of stencil; destination alpha beside depth');
+        // Its frames have 1, 7 and 13 scene passes.
+        assert.match(await entry(tab, 'heidmann', 'tnt').getAttribute('aria-label'), /, 1 to 13 scene passes, 1 rectangle,/);
+        assert.match(await entry(tab, 'heidmann', 'tnt').locator('.passes').textContent(), /^1\u201313\/1$/);
         // Three frames of two scenes: the wrong pixels add up, the worst verdict counts.
         assert.match(await entry(tab, 'roettger-half', 'tnt').getAttribute('aria-label'), /: edge, 72 wrong pixels, 2 scene passes, 3 rectangles, [\d.]+ times/);
         assert.match(await entry(tab, 'williams', 'tnt').getAttribute('aria-label'), /: wrong, 166 wrong pixels/);
@@ -112,9 +109,9 @@ describe('report page', { skip }, () => {
         // The worst frame opens first.
         assert.equal(new URL(tab.url()).hash, '#cell=ps2/williams/boxes/48x36/2&verdict=wrong&sort=ps2:up');
         await tab.locator('.frame-button', { hasText: '1' }).first().click();
-        assert.match(tab.url(), /boxes\/48x36\/1&/);
+        await tab.waitForURL(/boxes\/48x36\/1&/);
         await tab.locator('[data-do=next]').click();
-        assert.match(tab.url(), /boxes\/48x36\/2&/);
+        await tab.waitForURL(/boxes\/48x36\/2&/);
         assert.match(await tab.locator('[data-do="Copy link"]').getAttribute('data-copy'), /#cell=ps2\/williams\/boxes\/48x36\/2$/);
         await tab.goBack();
         assert.equal(await tab.locator('dialog[open]').count(), 0);
@@ -123,6 +120,7 @@ describe('report page', { skip }, () => {
     test('a scene with signs of an address in its name keeps its permalink', {}, async (tab) => {
         await entry(tab, 'none', 'tnt').click();
         await tab.locator('.path-row').nth(1).locator('button').first().click();
+        await tab.waitForURL(/light/);
         const address = tab.url();
         const again = await open(smallReport(), { hash: new URL(address).hash });
         assert.match(await again.locator('dialog p.muted').first().textContent(), /hard\/eye & light, frame 0/);
@@ -139,18 +137,49 @@ describe('report page', { skip }, () => {
         assert.equal(await tab.locator('dialog .viewer').count(), 0);
     });
 
-    test('compares two runs, group by group', {}, async (tab) => {
-        assert.equal(await tab.locator('.compare details').count(), 2);
+    test('compares two runs, group by group under the kinds of causes', { address: comparedReport }, async (tab) => {
+        assert.deepEqual(await tab.locator('.compare h3').allTextContents(), ['Verdict \u00b7 2 cells', 'What chips lack \u00b7 1 cell', 'Only in the new run \u00b7 1 cell', 'Only in the old run \u00b7 1 cell']);
+        assert.equal(await tab.locator('.compare details').count(), 5);
+        assert.match(await tab.locator('#result').textContent(), /^5 cells changed since the old run: 2 in \u201cverdict\u201d, 1 in \u201cwhat chips lack\u201d/);
         await tab.locator('.compare summary').first().focus();
         await tab.keyboard.press('Enter');
         await tab.locator('.compare a').first().waitFor();
-        assert.match(await tab.locator('.compare details').first().textContent(), /verdict: exact -> edge.*wrong\.edge: 0 \u2192 12/);
+        assert.match(await tab.locator('.compare details').first().textContent(), /exact \u2192 edge.*wrong pixels at the boundaries: 0 \u2192 12/);
+        assert.equal(await tab.locator('.compare summary').nth(2).textContent(), 'lacks now: destination alpha beside depth; lacks no more: old lack \u00b7 1 cell');
+        await tab.locator('.compare summary').nth(2).click();
+        const limits = tab.locator('.compare details').nth(2);
+        await limits.locator('li').first().waitFor();
+        assert.deepEqual(await limits.locator('li').allTextContents(), ['lacks now: destination alpha beside depth', 'lacks no more: old lack']);
+        assert.doesNotMatch(await tab.locator('.compare').textContent(), /[{}[\]]/);
         await tab.locator('.compare a').first().click();
         assert.match(await tab.locator('dialog h2').textContent(), /roettger-half on NVIDIA RIVA TNT/);
+        assert.match(await tab.locator('dialog .said').textContent(), /Changed since the old run.*verdict: exact \u2192 edge/);
+        await tab.keyboard.press('Escape');
+        assert.match(await focused(tab), /^tnt\/roettger-half\/boxes/);
     });
 
-    test('a run of its own shows no comparison', { address: () => reportFile('alone.html', makeRun({ withCompare: false })) }, async (tab) => {
-        assert.equal(await tab.locator('.compare').count(), 0);
+    test('of two runs the table has what changed, and all of it on request', { address: comparedReport }, async (tab) => {
+        assert.deepEqual(await names(tab), ['heidmann', 'roettger-half', 'williams']);
+        const marked = () => tab.locator('.entry:has(.delta)').evaluateAll((nodes) => nodes.map((node) => `${node.dataset.row} ${node.dataset.profile}`));
+        assert.deepEqual(await marked(), ['heidmann voodoo2', 'heidmann tnt', 'roettger-half tnt', 'williams tnt']);
+        assert.equal(await tab.locator('.entry').count(), 4);
+        assert.match(await entry(tab, 'heidmann', 'tnt').getAttribute('aria-label'), /, 1 cell changed$/);
+        // What changed opens, and not another frame.
+        await entry(tab, 'heidmann', 'tnt').click();
+        assert.equal(new URL(tab.url()).hash, '#cell=tnt/heidmann/boxes/48x36/1');
+        await tab.keyboard.press('Escape');
+        await tab.locator('#changed').click();
+        assert.equal(plain(await shown(tab)), '8 methods on 5 chips: 240 cells of 240');
+        assert.equal(new URL(tab.url()).hash, '#changed=all');
+        assert.equal((await marked()).length, 4);
+        await tab.reload();
+        await tab.waitForFunction(() => document.documentElement.dataset.ready);
+        assert.equal(await tab.locator('#changed').getAttribute('aria-pressed'), 'false');
+        assert.equal(await tab.locator('.answer tbody tr').count(), 8);
+    });
+
+    test('a run of its own shows no comparison', { address: () => reportFile('alone.html', makeRun()) }, async (tab) => {
+        assert.equal(await tab.locator('.compare, #changed, .delta').count(), 0);
     });
 
     test('plots export as SVG and their rows as CSV', { plots: true }, async (tab) => {
@@ -169,7 +198,7 @@ describe('report page', { skip }, () => {
         assert.equal(lines.filter((line) => line.startsWith('roettger-half,edge,')).length, 1);
         const table = await download(tab, () => tab.locator('#table-csv').click());
         assert.equal(table.text.trim().split('\r\n').length, 1 + 40);
-        assert.match(table.text, /tnt,roettger-half,edge,false,6,2,24,3,0,72,0,/);
+        assert.match(table.text, /tnt,roettger-half,edge,false,6,0,2,2,24,24,3,3,0,0,72,0,/);
     });
 
     test('the first table of 31,000 cells', { address: () => reportFile('large.html', makeRun({ chipCount: 41, methodCount: 21, scenes: ['boxes', 'knot', 'roettger'], frames: 12 })) }, async (tab) => {
