@@ -128,7 +128,7 @@ Scene crashingScene() {
     return scene;
 }
 
-TEST(RunMatrix, FailsTheCellsOfACrashAndNoOthers) {
+TEST(RunMatrix, FailsAllCellsOfAFrameThatCantBeMadeReadyAndNoOthers) {
     MatrixRequest request = smallRequest();
     request.scenes = {shippedScene("roettger"), crashingScene(), shippedScene("boxes")};
     request.sizes.resize(1), request.frames = {0}, request.jobs = 2;
@@ -144,17 +144,7 @@ TEST(RunMatrix, FailsTheCellsOfACrashAndNoOthers) {
     }
 }
 
-TEST(RunMatrix, FailsCellsThatTakeTooLong) {
-    MatrixRequest request = smallRequest();
-    request.scenes.resize(1), request.sizes.resize(1), request.frames = {0};
-    request.secondsPerJob = 0;
-    for (const Cell& cell : runMatrix(request)) {
-        EXPECT_EQ(cell.verdict, Verdict::Failed);
-        EXPECT_EQ(cell.error, "timed out after 0 s");
-    }
-}
-
-// The cells of one group are drawn by one process; one that can't be drawn is a failure of its own.
+// The cells of one group are drawn by one worker; one that can't be drawn is a failure of its own.
 TEST(RunMatrix, FailsOneCellOfAGroupAlone) {
     Profile odd = chip("ideal");
     odd.id = "odd";
