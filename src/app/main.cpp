@@ -12,6 +12,7 @@
 #include "app/help.h"
 #include "app/options.h"
 #include "app/terminal.h"
+#include "process/interrupt.h"
 #include "report/run_file.h"
 
 namespace {
@@ -44,6 +45,7 @@ int fail(Exit status, const std::string& what) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gnomon::exitOnInterrupt();
     int status = kAsExpected;
     CLI::App app(
         "Which shadow algorithm can an old graphics chip run, in how many passes, and how exact?\n"

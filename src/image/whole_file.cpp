@@ -9,6 +9,8 @@
 #include <string>
 #include <system_error>
 
+#include "process/interrupt.h"
+
 namespace gnomon {
 namespace {
 
@@ -48,6 +50,7 @@ void writeWhole(const std::filesystem::path& file,
     std::error_code error;
     if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
         fail(file, "is no regular file");
+    const InterruptsHeld held;
     try {
         write(temporary);
     } catch (const std::exception& thrown) {
@@ -66,6 +69,7 @@ void tryWhole(const std::filesystem::path& file) {
     std::error_code error;
     if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
         fail(file, "is no regular file");
+    const InterruptsHeld held;
     errno = 0;
     const bool isOpen = std::ofstream(temporary).is_open();
     const int why = errno;

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "bench/speed/speed_row.h"
+#include "matrix/lab.h"
 #include "matrix/pool.h"
 #include "matrix/run.h"
 #include "profile/shipped.h"
