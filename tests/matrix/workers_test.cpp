@@ -172,8 +172,8 @@ TEST(RunSteps, HoldsNoStepToWhatEarlierOnesHaveKept) {
         while (kept > kMegabytes) pause();
         return named(task, step);
     };
-    for (const StepEnd& end : endsOf({4}, hoarder, 1, {kLongEnough, kMegabytes}).at(0))
-        EXPECT_EQ(end.error, "");
+    const Ends ends = endsOf({4}, hoarder, 1, {kLongEnough, kMegabytes});
+    for (const StepEnd& end : ends.at(0)) EXPECT_EQ(end.error, "");
 }
 
 TEST(RunSteps, HoldsNobodyToAMemoryLimitThatIsNotSet) {
@@ -181,7 +181,8 @@ TEST(RunSteps, HoldsNobodyToAMemoryLimitThatIsNotSet) {
         eat(50);
         return named(task, step);
     };
-    for (const StepEnd& end : endsOf({3}, eats, 1).at(0)) EXPECT_EQ(end.error, "");
+    const Ends ends = endsOf({3}, eats, 1);
+    for (const StepEnd& end : ends.at(0)) EXPECT_EQ(end.error, "");
 }
 
 // What the steps share can't be made ready: no step can be done, and one process more tells that it is so.
@@ -201,7 +202,8 @@ TEST(RunSteps, SurvivesASetUpThatIsKilledOnce) {
     const auto killed = [&](std::size_t) {
         if (++starts == 1) kill(getpid(), SIGKILL);
     };
-    for (const StepEnd& end : endsOf({3}, named, 1, {kLongEnough}, killed).at(0)) EXPECT_EQ(end.error, "");
+    const Ends ends = endsOf({3}, named, 1, {kLongEnough}, killed);
+    for (const StepEnd& end : ends.at(0)) EXPECT_EQ(end.error, "");
     EXPECT_EQ(starts, 2);
     munmap(shared, sizeof(int));
 }
