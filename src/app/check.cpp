@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/matrix_options.h"
@@ -29,17 +29,6 @@ struct Options {
 
 std::string usualFile() {
     return (dataFolder("scenes").parent_path() / "tests/expected/matrix.txt").string();
-}
-
-void writeText(const std::string& file, const std::string& text) {
-    writeChosen([&] {
-        writeWhole(file, [&](const std::filesystem::path& temporary) {
-            std::ofstream out(temporary, std::ios::binary);
-            out << text;
-            out.close();
-            if (!out) throw std::runtime_error("can't be written");
-        });
-    });
 }
 
 /// What the file says; nothing of a file that --update is to make.
@@ -87,7 +76,8 @@ int run(const Options& options) {
     const CheckResult result = checkCells(expectations, runs, choice == whole);
     const RunSources sources = sourcesOf(request);
     const auto command = [&](const Cell& cell) { return commandOf({cell}, sources); };
-    if (!options.junit.empty()) writeText(options.junit, checkJUnit(result, expectations.file, command));
+    if (!options.junit.empty())
+        writeChosen([&] { writeWhole(options.junit, checkJUnit(result, expectations.file, command)); });
     fmt::print("{}", checkText(result, command));
     if (!options.update) return result.isGood() ? 0 : kDiffers;
     if (result.count(CheckClass::Flaky) > 0) {
@@ -95,7 +85,7 @@ int run(const Options& options) {
         return kDiffers;
     }
     const Expectations after = updated(expectations, toText(choice), runs.front());
-    writeText(expectations.file, toText(after));
+    writeChosen([&] { writeWhole(expectations.file, toText(after)); });
     fmt::print("{} has {} lines now\n", expectations.file, after.cells.size());
     return 0;
 }

@@ -64,6 +64,15 @@ void writeWhole(const std::filesystem::path& file,
     fail(file, why);
 }
 
+void writeWhole(const std::filesystem::path& file, std::string_view text) {
+    writeWhole(file, [&](const std::filesystem::path& temporary) {
+        std::ofstream out(temporary, std::ios::binary);
+        out << text;
+        out.close();
+        if (!out) throw std::runtime_error("can't be written");
+    });
+}
+
 void tryWhole(const std::filesystem::path& file) {
     const std::filesystem::path place = placeOf(file), temporary = temporaryBeside(place);
     std::error_code error;

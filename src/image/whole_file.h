@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <string_view>
 
 namespace gnomon {
 
@@ -11,6 +12,9 @@ namespace gnomon {
 /// then nothing is left of it
 void writeWhole(const std::filesystem::path& file,
                 const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// The same of a text.
+void writeWhole(const std::filesystem::path& file, std::string_view text);
 
 /// Tries whether writeWhole() could write there, and leaves nothing.
 /// @throws std::runtime_error  "file: what", in one line

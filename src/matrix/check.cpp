@@ -14,13 +14,6 @@
 namespace gnomon {
 namespace {
 
-/// All of a cell but its times, which no two runs share.
-nlohmann::ordered_json withoutTimes(const Cell& cell) {
-    auto json = toJson(cell);
-    for (const char* key : {"cpu_ms", "unshadowed_ms", "clock"}) json.erase(key);
-    return json;
-}
-
 /// How bad an outcome is: its verdict, then its wrong pixels. Refused compares with nothing but exact.
 std::tuple<int, long> badness(const std::string& outcome) {
     static const std::array<std::string, 5> kOrder{"exact", "edge", "wrong", "refused", "failed"};
@@ -86,9 +79,9 @@ CheckResult checkCells(const Expectations& expectations, const std::vector<std::
         one.what = classOf(one.expected, one.found);
         std::vector<const Cell*> repetitions;
         for (const std::vector<Cell>& run : runs) repetitions.push_back(&run[i]);
-        const auto first = withoutTimes(cell);
-        const bool isSame = std::all_of(repetitions.begin() + 1, repetitions.end(),
-                                        [&](const Cell* other) { return withoutTimes(*other) == first; });
+        const bool isSame = std::all_of(repetitions.begin() + 1, repetitions.end(), [&](const Cell* other) {
+            return withoutTimes(*other) == withoutTimes(cell);
+        });
         if (!isSame) one.what = CheckClass::Flaky, one.found = differences(repetitions);
         places.insert(one.place);
         result.cells.push_back(std::move(one));

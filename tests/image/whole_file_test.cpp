@@ -64,6 +64,14 @@ TEST_F(WriteWhole, EndsItsFileBeforeAnInterruptEndsTheProcess) {
     }
 }
 
+TEST_F(WriteWhole, WritesATextAsItIs) {
+    const std::string text("a\0b\r\n", 5);
+    writeWhole(m_folder / "file.txt", text);
+    std::ostringstream back;
+    back << std::ifstream(m_folder / "file.txt", std::ios::binary).rdbuf();
+    EXPECT_EQ(back.str(), text);
+}
+
 TEST_F(WriteWhole, LeavesNothingOfWhatThrows) {
     EXPECT_THROW(writeWhole(m_folder / "file.txt",
                             [](const std::filesystem::path& temporary) {

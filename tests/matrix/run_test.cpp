@@ -57,14 +57,6 @@ std::vector<std::string> idsOf(const std::vector<Cell>& cells) {
     return ids;
 }
 
-/// All of a cell but its times, which no two runs share.
-std::string withoutTimes(const Cell& cell) {
-    auto json = toJson(cell);
-    json.erase("cpu_ms");
-    json.erase("unshadowed_ms");
-    return json.dump();
-}
-
 TEST(RunMatrix, OrdersCellsByTheRequestWhateverEndsFirst) {
     MatrixRequest request = smallRequest();
     std::vector<std::string> expected;

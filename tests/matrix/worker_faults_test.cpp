@@ -33,13 +33,6 @@ MatrixRequest smallRequest() {
 
 const std::string kFaulty = "ideal/heidmann/boxes/48x32/0";  ///< neither first nor last
 
-/// All of a cell but its times, which no two runs share.
-std::string withoutTimes(const Cell& cell) {
-    auto json = toJson(cell);
-    json.erase("cpu_ms"), json.erase("unshadowed_ms");
-    return json.dump();
-}
-
 /// Runs the request with @p fault in each stage of the cell kFaulty that @p isStage picks, and holds all
 /// other cells to a run without it.
 /// @return what that cell says
