@@ -6,6 +6,7 @@ namespace gnomon {
 
 // Each adds its subcommand to @p app; its exit status goes to @p status when it runs.
 void addMatrix(CLI::App& app, int& status);
+void addCheck(CLI::App& app, int& status);
 void addRender(CLI::App& app, int& status);
 void addPlan(CLI::App& app, int& status);
 void addAdvise(CLI::App& app, int& status);

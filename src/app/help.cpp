@@ -52,6 +52,12 @@ const std::map<std::string, std::vector<Example>>& allExamples() {
            "volumes of single triangles, which mend doubling"},
           {"gnomon matrix boxes --frames 0 --profile voodoo2,tnt --report boxes.html",
            "the same as a page"}}},
+        {"check",
+         {{"gnomon check --profile tnt --method carmack", "some cells of tests/expected/matrix.txt"},
+          {"gnomon check boxes --frames 0 --profile tnt --expected tnt.txt --update",
+           "a file of expectations of one's own"},
+          {"gnomon check --expected tnt.txt --repeat 2 --junit tnt.xml",
+           "held to it, all cells twice, for a test runner too"}}},
         {"report",
          {{"gnomon report run.json -o run.html",
            "a page of a run, as gnomon matrix --format json has written it"},
@@ -96,8 +102,8 @@ const std::vector<Example>& examplesOf(const std::string& command) {
 }
 
 std::string exitStatusText() {
-    return "exit status: 0 as expected, 1 a published figure differs or the chip can't, 2 bad arguments or "
-           "files, 3 our own fault";
+    return "exit status: 0 as expected, 1 a result or a published figure differs, or the chip can't, 2 bad "
+           "arguments or files, 3 our own fault, 128 + signal when interrupted";
 }
 
 void setHelp(CLI::App& app, std::size_t columns) {

@@ -12,6 +12,8 @@
 #include "app/help.h"
 #include "app/options.h"
 #include "app/terminal.h"
+#include "matrix/expectations.h"
+#include "process/interrupt.h"
 #include "report/run_file.h"
 
 namespace {
@@ -20,6 +22,7 @@ enum Exit { kAsExpected = 0, kBadInput = 2, kOurFault = 3 };
 
 void addCommands(CLI::App& app, int& status) {
     gnomon::addMatrix(app, status);
+    gnomon::addCheck(app, status);
     gnomon::addReport(app, status);
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
@@ -44,6 +47,7 @@ int fail(Exit status, const std::string& what) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    gnomon::exitOnInterrupt();
     int status = kAsExpected;
     CLI::App app(
         "Which shadow algorithm can an old graphics chip run, in how many passes, and how exact?\n"
@@ -74,6 +78,8 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::UsageError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::ExpectationError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::RunError& error) {
         return fail(kBadInput, error.what());

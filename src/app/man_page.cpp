@@ -87,8 +87,9 @@ std::string manPage(const CLI::App& app, const std::string& version) {
         text += commandText(*command);
     text += heading("EXIT STATUS");
     text +=
-        ".TP\n0\nas expected\n.TP\n1\na published figure differs, or the chip can't draw it\n"
-        ".TP\n2\nbad arguments or files; one line says which\n.TP\n3\nour own fault\n";
+        ".TP\n0\nas expected\n.TP\n1\na result or a published figure differs, or the chip can't draw it\n"
+        ".TP\n2\nbad arguments or files; one line says which\n.TP\n3\nour own fault\n"
+        ".TP\n128 + signal\nit was interrupted\n";
     text += heading("ENVIRONMENT");
     text +=
         ".TP\n\\fBCOLUMNS\\fR\nwidth of texts on a terminal, instead of its own\n"

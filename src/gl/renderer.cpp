@@ -110,6 +110,7 @@ Rendered render(Surface& surface, const Profile& profile, const Plan& plan, cons
     for (std::size_t i = 0; i < plan.passes.size(); ++i) {
         // What the light adds is made before the clock starts.
         const Pass& pass = plan.passes[i];
+        if (options.beforePass) options.beforePass(i);
         if (pass.kind == PassKind::Scene || pass.kind == PassKind::Volume) lights(pass.light);
         const bool taps = tap != plan.masks.end() && tap->after == i + 1;
         const bool waits = i + 1 == plan.passes.size() || taps || options.afterPass || options.timesPasses;

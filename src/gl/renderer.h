@@ -32,6 +32,7 @@ using AfterPass = std::function<void(std::size_t pass)>;
 
 /// What render() does besides drawing.
 struct RenderOptions {
+    std::function<void(std::size_t pass)> beforePass{};  ///< called with the index of each pass as it begins
     AfterPass afterPass{};
     bool timesPasses = false;    ///< waits after each pass; the frame takes a little longer
     bool countsSamples = false;  ///< by occlusion queries

@@ -9,6 +9,8 @@
 #include <string>
 #include <system_error>
 
+#include "process/interrupt.h"
+
 namespace gnomon {
 namespace {
 
@@ -48,6 +50,7 @@ void writeWhole(const std::filesystem::path& file,
     std::error_code error;
     if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
         fail(file, "is no regular file");
+    const InterruptsHeld held;
     try {
         write(temporary);
     } catch (const std::exception& thrown) {
@@ -61,11 +64,21 @@ void writeWhole(const std::filesystem::path& file,
     fail(file, why);
 }
 
+void writeWhole(const std::filesystem::path& file, std::string_view text) {
+    writeWhole(file, [&](const std::filesystem::path& temporary) {
+        std::ofstream out(temporary, std::ios::binary);
+        out << text;
+        out.close();
+        if (!out) throw std::runtime_error("can't be written");
+    });
+}
+
 void tryWhole(const std::filesystem::path& file) {
     const std::filesystem::path place = placeOf(file), temporary = temporaryBeside(place);
     std::error_code error;
     if (std::filesystem::exists(place, error) && !std::filesystem::is_regular_file(place, error))
         fail(file, "is no regular file");
+    const InterruptsHeld held;
     errno = 0;
     const bool isOpen = std::ofstream(temporary).is_open();
     const int why = errno;

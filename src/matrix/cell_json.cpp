@@ -96,6 +96,12 @@ nlohmann::ordered_json toJson(const Cell& c) {
     return json;
 }
 
+nlohmann::ordered_json withoutTimes(const Cell& cell) {
+    auto json = toJson(cell);
+    for (const char* key : {"cpu_ms", "unshadowed_ms", "clock"}) json.erase(key);
+    return json;
+}
+
 Cell cellFromJson(const nlohmann::ordered_json& j) {
     Cell c;
     c.profile = j.at("profile"), c.method = j.at("method"), c.scene = j.at("scene");

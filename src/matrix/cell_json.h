@@ -10,6 +10,9 @@ namespace gnomon {
 /// failed cell only.
 nlohmann::ordered_json toJson(const Cell& cell);
 
+/// The same without its times, and by whose clock they are: what two runs must have in common.
+nlohmann::ordered_json withoutTimes(const Cell& cell);
+
 /// Inverse of toJson().
 /// @throws nlohmann::json::exception if @p json isn't such an object
 Cell cellFromJson(const nlohmann::ordered_json& json);

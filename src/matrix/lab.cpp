@@ -46,6 +46,7 @@ struct Lab::Impl : FrameScene {
     FidelityChoice fidelity{};
     Device device = defaultDevice();
     std::optional<Effects> effects{};
+    std::function<void(const std::string&)> stageListener{};
     MinimalPlanner planner{*this};
     std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
@@ -76,9 +77,14 @@ struct Lab::Impl : FrameScene {
         return *context;
     }
 
+    void enter(const std::string& stage) const {
+        if (stageListener) stageListener(stage);
+    }
+
     double unshadowedMs(const Profile& profile) {
         auto [at, isNew] = unshadowed.try_emplace({bufferFormatOf(profile), arithmeticOf(profile, fidelity)});
         if (isNew) {
+            enter("the frame without shadows");
             const Axes none{.store = Store::None};
             const Drawing drawing{.axes = none, .plan = planOf(profile, none)};
             const LightFrames frames = lightFrames(*this, profile, drawing);
@@ -186,7 +192,12 @@ struct Lab::Impl : FrameScene {
         return time;
     }
 
-    Rendered drawOnce(const Profile& profile, const Drawing& drawing, const RenderOptions& options = {}) {
+    Rendered drawOnce(const Profile& profile, const Drawing& drawing, RenderOptions options = {}) {
+        const auto& passes = drawing.plan.passes;
+        if (stageListener)
+            options.beforePass = [&](std::size_t pass) {
+                enter(fmt::format("pass {} of {}: {}", pass + 1, passes.size(), passes[pass].label));
+            };
         return render(contextOf(profile, drawing.plan, fidelity), profile, drawing.plan, surfacesOf(),
                       lightFrames(*this, profile, drawing), options);
     }
@@ -248,7 +259,9 @@ struct Lab::Impl : FrameScene {
         std::vector<Cause> causes(std::size_t(key().width) * std::size_t(key().height));
         for (int i = 0; i < lights(); ++i) {
             if (rendered.masks[std::size_t(i)].empty()) continue;  // of a light that was left out
+            enter("truth");
             const auto truth = truthOf(i, format.depth, chip.depth, axes.silhouette);
+            enter("the prediction");
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
             judgements.push_back(judge(*truth, mask, axes.maskDivisor, clamps));
             if (pictures) {
@@ -317,6 +330,10 @@ void Lab::simulate(const std::optional<Effects>& effects) {
 
 const std::optional<Effects>& Lab::simulated() const {
     return m_impl->effects;
+}
+
+void Lab::onStage(std::function<void(const std::string&)> listener) {
+    m_impl->stageListener = std::move(listener);
 }
 
 Nesting Lab::nesting(const Axes& axes, int width, int height, int frame) {

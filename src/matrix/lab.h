@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -59,6 +60,9 @@ class Lab {
     /// their frames call for.
     void simulate(const std::optional<Effects>& effects);
     const std::optional<Effects>& simulated() const;
+
+    /// @p listener is told of each stage of a cell as it begins: "pass 3 of 7: fronts", "truth".
+    void onStage(std::function<void(const std::string& stage)> listener);
 
     /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
     /// @param afterPass  called with the surface after each pass

@@ -10,6 +10,7 @@
 #include "gl/device.h"
 #include "matrix/cell.h"
 #include "matrix/progress.h"
+#include "matrix/workers.h"
 #include "needs/effects.h"
 #include "profile/profile.h"
 #include "scene/scene.h"
@@ -34,7 +35,10 @@ struct MatrixRequest {
     std::map<std::string, std::string> view{};  ///< Cell::view of all cells: how the scenes were placed
     Device device = defaultDevice();            ///< Lab::drawOn()
     int jobs = 1;
-    int secondsPerJob = 1800;  ///< wall-clock limit for all cells of one scene, size and frame
+    StepLimits limits{};  ///< of each cell
+    /// Called in a worker's process as it enters a stage of a cell, "" the first; so that tests can plant
+    /// faults there. While a frame is made ready, the cell is "".
+    std::function<void(const std::string& cell, const std::string& stage)> atStage{};
 };
 
 /// Adds to @p cell what was chosen besides its method and fidelity, so that it can be drawn again from its
@@ -45,9 +49,9 @@ void addQuestion(Cell& cell, const FidelityChoice& fidelity, const std::map<std:
 /// Frames of @p scene that @p request asks for.
 std::vector<int> framesOf(const MatrixRequest& request, const Scene& scene);
 
-/// Runs all cells in request.jobs processes; a crash or a time-out fails the cells that it leaves open, and
-/// no others. The order of cells is that of the request whatever ends first: scenes, sizes, frames,
-/// fidelities, methods, profiles.
+/// Runs all cells in request.jobs worker processes; a crash, or one beyond the limits, costs its own cell
+/// only: it is failed, with how and in which pass. The order of cells is that of the request whatever ends
+/// first: scenes, sizes, frames, fidelities, methods, profiles.
 ///
 /// @param progress  in cells: at the start, and as each comes in
 std::vector<Cell> runMatrix(const MatrixRequest& request, const ProgressListener& progress = {});

@@ -9,6 +9,7 @@
 
 #include "scene/gltf.h"
 #include "scene/mesh_check.h"
+#include "scene/parsed_apart.h"
 #include "scene/text.h"
 #include "scene/weld.h"
 
@@ -116,15 +117,7 @@ class Importer {
     std::size_t m_triangles = 0, m_empty = 0;
 };
 
-}  // namespace
-
-bool isMeshFile(const std::filesystem::path& file) {
-    const std::string extension = extensionOf(file);
-    return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".gltf" ||
-           extension == ".glb";
-}
-
-MeshFile loadMeshFile(const std::filesystem::path& file) {
+MeshFile parse(const std::filesystem::path& file) {
     const std::string extension = extensionOf(file);
     const std::string data = readWhole(file);
     if (data.empty()) fail(file, "empty file");
@@ -154,6 +147,18 @@ MeshFile loadMeshFile(const std::filesystem::path& file) {
     if (scene == nullptr || scene->mRootNode == nullptr) fail(file, printable(importer.GetErrorString()));
     Importer(file, *scene, materials, out).run(facts);
     return out;
+}
+
+}  // namespace
+
+bool isMeshFile(const std::filesystem::path& file) {
+    const std::string extension = extensionOf(file);
+    return extension == ".obj" || extension == ".ply" || extension == ".stl" || extension == ".gltf" ||
+           extension == ".glb";
+}
+
+MeshFile loadMeshFile(const std::filesystem::path& file) {
+    return parsedApart(file, [&] { return parse(file); });
 }
 
 }  // namespace gnomon

@@ -20,7 +20,8 @@ struct MeshFile {
 /// True for the extensions that loadMeshFile() knows: .obj .ply .stl .gltf .glb, in any case.
 bool isMeshFile(const std::filesystem::path& file);
 
-/// Loads a mesh file through Assimp, once its own walk over the file has found nothing wrong.
+/// Loads a mesh file through Assimp, once its own walk over the file has found nothing wrong; both in a
+/// process of their own, so that a crash there is a SceneError.
 /// @throws SceneError
 MeshFile loadMeshFile(const std::filesystem::path& file);
 

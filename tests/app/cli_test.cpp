@@ -31,7 +31,7 @@ const std::filesystem::path kShared = GNOMON_SHARED;
 class Program : public ProgramTest {};
 
 constexpr const char* kCommands[] = {"matrix",   "report",  "render", "plan", "advise", "reproduce", "prove",
-                                     "profiles", "methods", "scenes", "mesh", "cost",   "devices"};
+                                     "profiles", "methods", "scenes", "mesh", "cost",   "devices",   "check"};
 
 TEST_F(Program, ListsEveryCommandInItsHelp) {
     const Outcome help = run({"--help"});

@@ -20,7 +20,8 @@ class Help : public ProgramTest {
     std::vector<std::string> commands() const {
         const std::string help = run({"--help"}).out;
         std::vector<std::string> names;
-        std::istringstream lines(help.substr(help.find("Subcommands:")));
+        const std::size_t begin = help.find("Subcommands:");
+        std::istringstream lines(help.substr(begin, help.find("exit status:") - begin));
         for (std::string line; std::getline(lines, line);)
             if (std::smatch match; std::regex_search(line, match, std::regex("^  ([a-z]+) ")))
                 names.push_back(match[1]);

@@ -12,6 +12,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "process/die_of.h"
+
 namespace gnomon {
 namespace {
 
@@ -46,17 +48,11 @@ JobEnd endOf(const std::function<void(const Emit&)>& work, int seconds = kLongEn
     return endsOf({work}, 1, seconds).front();
 }
 
-/// Dies of @p signal, whatever a sanitizer or a test framework makes of it.
-void dieOf(int signal) {
-    ::signal(signal, SIG_DFL);
-    raise(signal);
-}
-
 TEST(RunJobs, BringsLinesBackInOrder) {
     const JobEnd end = endOf([](const Emit& emit) {
-        for (const char* line : {"one", "", "three"}) emit(line);
+        for (const char* line : {"one", "", "three\nof two"}) emit(line);
     });
-    EXPECT_THAT(end.lines, ElementsAre("one", "", "three"));
+    EXPECT_THAT(end.lines, ElementsAre("one", "", "three\nof two"));
     EXPECT_THAT(end.error, IsEmpty());
 }
 
@@ -106,6 +102,8 @@ TEST(RunJobs, SaysInOneLineWhatAJobThrew) {
 TEST(RunJobs, NamesTheSignalThatEndedAJob) {
     EXPECT_THAT(endOf([](const Emit&) { dieOf(SIGSEGV); }).error, StartsWith("crashed: signal 11"));
     EXPECT_THAT(endOf([](const Emit&) { dieOf(SIGABRT); }).error, StartsWith("crashed: signal 6"));
+    EXPECT_THAT(endOf([](const Emit&) { raise(SIGKILL); }).error,
+                StartsWith("killed from outside: signal 9"));
 }
 
 // It must not unwind into the parent's frames, which the child has a copy of.

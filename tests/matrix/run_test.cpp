@@ -57,14 +57,6 @@ std::vector<std::string> idsOf(const std::vector<Cell>& cells) {
     return ids;
 }
 
-/// All of a cell but its times, which no two runs share.
-std::string withoutTimes(const Cell& cell) {
-    auto json = toJson(cell);
-    json.erase("cpu_ms");
-    json.erase("unshadowed_ms");
-    return json.dump();
-}
-
 TEST(RunMatrix, OrdersCellsByTheRequestWhateverEndsFirst) {
     MatrixRequest request = smallRequest();
     std::vector<std::string> expected;
@@ -128,7 +120,7 @@ Scene crashingScene() {
     return scene;
 }
 
-TEST(RunMatrix, FailsTheCellsOfACrashAndNoOthers) {
+TEST(RunMatrix, FailsAllCellsOfAFrameThatCantBeMadeReadyAndNoOthers) {
     MatrixRequest request = smallRequest();
     request.scenes = {shippedScene("roettger"), crashingScene(), shippedScene("boxes")};
     request.sizes.resize(1), request.frames = {0}, request.jobs = 2;
@@ -144,17 +136,7 @@ TEST(RunMatrix, FailsTheCellsOfACrashAndNoOthers) {
     }
 }
 
-TEST(RunMatrix, FailsCellsThatTakeTooLong) {
-    MatrixRequest request = smallRequest();
-    request.scenes.resize(1), request.sizes.resize(1), request.frames = {0};
-    request.secondsPerJob = 0;
-    for (const Cell& cell : runMatrix(request)) {
-        EXPECT_EQ(cell.verdict, Verdict::Failed);
-        EXPECT_EQ(cell.error, "timed out after 0 s");
-    }
-}
-
-// The cells of one group are drawn by one process; one that can't be drawn is a failure of its own.
+// The cells of one group are drawn by one worker; one that can't be drawn is a failure of its own.
 TEST(RunMatrix, FailsOneCellOfAGroupAlone) {
     Profile odd = chip("ideal");
     odd.id = "odd";

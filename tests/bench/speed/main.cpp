@@ -27,7 +27,8 @@ namespace {
 
 std::vector<SpeedRow> subjects() {
     std::vector<SpeedRow> rows;
-    for (const auto& subject : {maskPassRows, halfRows, vertexBufferRows, layerRows, truthRows, judgeRows})
+    for (const auto& subject :
+         {maskPassRows, halfRows, vertexBufferRows, layerRows, workerRows, truthRows, judgeRows})
         for (SpeedRow& row : subject()) rows.push_back(std::move(row));
     return rows;
 }

@@ -37,6 +37,7 @@ std::vector<SpeedRow> maskPassRows();
 std::vector<SpeedRow> halfRows();
 std::vector<SpeedRow> vertexBufferRows();
 std::vector<SpeedRow> layerRows();
+std::vector<SpeedRow> workerRows();
 std::vector<SpeedRow> truthRows();
 std::vector<SpeedRow> judgeRows();
 
