@@ -71,7 +71,7 @@ export function mendView(state, drawing, { width, height }) {
         if (!pixel) drop(name, 'a pixel is two whole numbers, x,y');
         else if (pixel.x >= width || pixel.y >= height) drop(name, `the picture has ${width}\u00d7${height} pixels`);
     }
-    if (asked('pass') && !strip.some(({ pass }) => String(pass) === state.pass)) drop('pass', `the film strip has ${strip.length} passes`);
+    if (asked('pass') && !strip.some(({ pass }) => String(pass) === state.pass)) drop('pass', `the film strip has passes from ${strip[0].pass} to ${strip.at(-1).pass}, ${strip.length} of them`);
     const buffers = [...new Set(strip.flatMap((pass) => Object.keys(pass.buffers)))];
     if (asked('buffer') && !buffers.includes(state.buffer)) drop('buffer', `the film strip has ${buffers.join(', ')}`);
     return faults;

@@ -88,7 +88,7 @@ export function filmStrip(passes, causes, get, begin, look) {
         const pass = passes[at];
         frames.forEach((frame, i) => frame.setAttribute('aria-selected', String(i === at)));
         film.setAttribute('aria-activedescendant', `pass-${at}`);
-        title.textContent = `Pass ${pass.pass} of ${passes.length}: ${pass.title}`;
+        title.textContent = `Pass ${pass.pass} of ${passes.at(-1).pass}: ${pass.title}`;
         why.textContent = pass.why ?? '';
         node.dataset.pass = pass.pass;
         const asked = ++state.asked;

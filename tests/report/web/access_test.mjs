@@ -256,6 +256,8 @@ describe('report page, for all', { skip }, () => {
         await tab.emulateMedia({ media: 'print' });
         assert.equal(await tab.locator('h1').isVisible(), false);
         assert.ok(await tab.locator('dialog .viewer canvas').first().isVisible());
+        // The names of the two pictures stand above them.
+        assert.ok(await tab.locator('dialog .viewer select').first().isVisible());
         assert.ok(await tab.evaluate(() => [...document.querySelectorAll('dialog canvas, dialog pre, dialog code')].every((node) => node.getBoundingClientRect().right <= innerWidth)));
     });
 });

@@ -122,7 +122,7 @@ describe('the address of the report', { skip }, () => {
             assert.doesNotMatch(hash(tab), /nonsense|foo|voodoo9|shade|changed/);
         });
 
-    for (const [what, named] of [['pair=mask,none', /two of image, mask/], ['pixel=99,1', /48\u00d736/], ['pass=77', /has 6 passes/], ['zoom=a', /up to 128/], ['buffer=alpha', /colour, stencil/]])
+    for (const [what, named] of [['pair=mask,none', /two of image, mask/], ['pixel=99,1', /48\u00d736/], ['pass=77', /from 1 to 6, 6 of them/], ['zoom=a', /up to 128/], ['buffer=alpha', /colour, stencil/]])
         test(`of an opened cell ${what} is named as wrong`, { hash: `${cell}&${what}` }, async (tab) => {
             await tab.locator('.strip .viewer').waitFor();
             assert.match(await problem(tab), named);

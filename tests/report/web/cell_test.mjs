@@ -73,6 +73,13 @@ describe('an opened cell of the report', { skip }, () => {
         assert.equal(await tab.locator('.viewer').count(), 0);
     });
 
+    test('a strip that left passes out counts those of the frame', {
+        address: drawnOtherwise('gaps.html', (drawings) => drawings[0].strip.splice(2, 2)), hash: '#cell=tnt/roettger-half/boxes/48x36/0&pass=5',
+    }, async (tab) => {
+        await tab.locator('.strip .viewer').waitFor();
+        assert.match(await tab.locator('.strip .caption').textContent(), /^Pass 5 of 6:/);
+    });
+
     test('a run without a fault says nothing of drawing again', { hash: '#cell=tnt/roettger-half/boxes/48x36/0' }, async (tab) => {
         assert.doesNotMatch(await tab.locator('#result').textContent(), /drawn again/);
         assert.equal(await tab.locator('.otherwise').count(), 0);

@@ -59,7 +59,7 @@ describe('report modules', () => {
     const drawing = { pictures: { mask: 0, truth: 1, image: 2 }, strip: [{ pass: 1, buffers: { colour: 0 } }, { pass: 2, buffers: { colour: 0, stencil: 1 } }] };
     for (const [name, good, bad, fault] of [
         ['pair', 'image,mask', 'image,nothing', /two of mask, truth, image/], ['pair', 'mask,mask', 'mask', /two of/], ['divider', '0', '101', /0 to 100/], ['zoom', '12.5', '-1', /up to 128/],
-        ['zoom', '128', '129', /up to 128/], ['pixel', '47,35', '48,0', /48\u00d736/], ['pixel', '0,0', '1;2', /two whole numbers/], ['pass', '2', '3', /has 2 passes/], ['buffer', 'stencil', 'depth', /colour, stencil/],
+        ['zoom', '128', '129', /up to 128/], ['pixel', '47,35', '48,0', /48\u00d736/], ['pixel', '0,0', '1;2', /two whole numbers/], ['pass', '2', '3', /from 1 to 2, 2 of them/], ['buffer', 'stencil', 'depth', /colour, stencil/],
         ['pass-zoom', '4', '0', /up to 128/], ['pass-pixel', '1,1', '1,36', /48\u00d736/],
     ])
         it(`of a cell's view ${name}=${good} holds and ${name}=${bad} is named`, () => {
