@@ -22,6 +22,7 @@ struct Options {
     MatrixOptions choice{};
     std::vector<CLI::Option*> choiceFlags{};
     WorkerOptions workers{};
+    FormatOption format{};
     std::string file{}, junit{};
     int repeat = 1;
     bool update = false;
@@ -78,15 +79,17 @@ int run(const Options& options) {
     const auto command = [&](const Cell& cell) { return commandOf({cell}, sources); };
     if (!options.junit.empty())
         writeChosen([&] { writeWhole(options.junit, checkJUnit(result, expectations.file, command)); });
-    fmt::print("{}", checkText(result, command));
+    const Format format = options.format.value().format;
+    fmt::print("{}", showCheck(result, format, command));
     if (!options.update) return result.isGood() ? 0 : kDiffers;
     if (result.count(CheckClass::Flaky) > 0) {
-        fmt::print("{} stays as it is: a flaky cell has no outcome to expect\n", expectations.file);
+        fmt::print(stderr, "{} stays as it is: a flaky cell has no outcome to expect\n", expectations.file);
         return kDiffers;
     }
     const Expectations after = updated(expectations, toText(choice), runs.front());
     writeChosen([&] { writeWhole(expectations.file, toText(after)); });
-    fmt::print("{} has {} lines now\n", expectations.file, after.cells.size());
+    fmt::print(format == Format::Text ? stdout : stderr, "{} has {} lines now\n", expectations.file,
+               after.cells.size());
     return 0;
 }
 
@@ -114,6 +117,7 @@ void addCheck(CLI::App& app, int& status) {
         ->capture_default_str()
         ->check(CLI::Range(1, 1000));
     command->add_option("--junit", options->junit, "write the result as JUnit's XML")->type_name("FILE.xml");
+    options->format.addTo(*command);
     options->workers.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }

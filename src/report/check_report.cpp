@@ -3,7 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <vector>
+
+#include "report/json_csv.h"
 
 namespace gnomon {
 namespace {
@@ -68,8 +71,6 @@ std::size_t failures(const std::vector<const CheckedCell*>& cells) {
     }));
 }
 
-}  // namespace
-
 std::string checkText(const CheckResult& result, const CommandOfCell& command) {
     std::string text = fmt::format("{} cells:", result.cells.size());
     for (int c = 0; c < kCheckClasses; ++c)
@@ -88,8 +89,32 @@ std::string checkText(const CheckResult& result, const CommandOfCell& command) {
         ++shown;
         text += fmt::format("\n{}: {}\n{}", name(cell.what), cell.place, details(cell, command, "  "));
     }
-    if (left > 0) text += fmt::format("\nand {} more (--junit FILE has all)\n", left);
+    if (left > 0) text += fmt::format("\nand {} more (--format json has all)\n", left);
     return text;
+}
+
+/// A row of each cell.
+nlohmann::ordered_json rowsOf(const CheckResult& result, const CommandOfCell& command) {
+    auto rows = nlohmann::ordered_json::array();
+    for (const CheckedCell& cell : result.cells) {
+        const bool isThere = cell.what != CheckClass::Missing;
+        rows.push_back({{"class", name(cell.what)},
+                        {"place", cell.place},
+                        {"cell", isThere ? cell.cell.id() : ""},
+                        {"expected", cell.expected},
+                        {"found", cell.found},
+                        {"why", cell.why},
+                        {"command", isThere ? command(cell.cell) : ""}});
+    }
+    return rows;
+}
+
+}  // namespace
+
+std::string showCheck(const CheckResult& result, Format format, const CommandOfCell& command) {
+    if (format == Format::Text) return checkText(result, command);
+    const auto rows = rowsOf(result, command);
+    return format == Format::Csv ? csvOf(rows) : rows.dump(1) + "\n";
 }
 
 std::string checkJUnit(const CheckResult& result, const std::string& name, const CommandOfCell& command) {

@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <regex>
 #include <vector>
 
@@ -59,7 +60,7 @@ TEST(CheckText, CountsAllClassesAndNamesWhatIsNotAsExpected) {
     CheckResult result{.cells = {checkedCell(CheckClass::Expected), checkedCell(CheckClass::Unexpected)},
                        .outside = 3};
     result.cells[1].why = "my reason";
-    EXPECT_EQ(checkText(result, commandOf),
+    EXPECT_EQ(showCheck(result, Format::Text, commandOf),
               "2 cells: 1 expected, 1 unexpected, 0 improved, 0 missing, 0 flaky\n"
               "3 lines of the file outside of this choice\n"
               "\n"
@@ -73,12 +74,28 @@ TEST(CheckText, CountsAllClassesAndNamesWhatIsNotAsExpected) {
 // A cell that is not there can't be drawn.
 TEST(CheckText, HasNoCommandForWhatIsMissing) {
     const CheckResult result{.cells = {checkedCell(CheckClass::Missing)}};
-    EXPECT_THAT(checkText(result, commandOf), EndsWith("  found:    edge 2: mask clamps 2\n"));
+    EXPECT_THAT(showCheck(result, Format::Text, commandOf), EndsWith("  found:    edge 2: mask clamps 2\n"));
 }
 
 TEST(CheckText, StaysShort) {
     const CheckResult result{.cells = std::vector<CheckedCell>(50, checkedCell(CheckClass::Flaky))};
-    EXPECT_THAT(checkText(result, commandOf), EndsWith("\nand 30 more (--junit FILE has all)\n"));
+    EXPECT_THAT(showCheck(result, Format::Text, commandOf),
+                EndsWith("\nand 30 more (--format json has all)\n"));
+}
+
+TEST(CheckRows, HaveEveryCell) {
+    const CheckResult result{.cells = {checkedCell(CheckClass::Expected), checkedCell(CheckClass::Missing)}};
+    const auto json = nlohmann::ordered_json::parse(showCheck(result, Format::Json, commandOf));
+    ASSERT_EQ(json.size(), 2u);
+    EXPECT_EQ(json[0].at("class"), "expected");
+    EXPECT_EQ(json[0].at("place"), "boxes tnt/none 320x240/0");
+    EXPECT_EQ(json[0].at("found"), "edge 2: mask clamps 2");
+    EXPECT_EQ(json[0].at("command"), "gnomon matrix --profile tnt <a & b>");
+    EXPECT_EQ(json[1].at("class"), "missing");
+    EXPECT_EQ(json[1].at("command"), "");
+    const std::string csv = showCheck(result, Format::Csv, commandOf);
+    EXPECT_THAT(csv, testing::StartsWith("class,place,cell,expected,found,why,command\r\n"));
+    EXPECT_THAT(csv, HasSubstr("\r\nmissing,boxes tnt/none 320x240/0,,exact,edge 2: mask clamps 2,,\r\n"));
 }
 
 TEST(CheckJUnit, HasASuiteForEachSceneAndACaseForEachCell) {
