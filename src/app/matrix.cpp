@@ -34,7 +34,9 @@ int run(const Options& options) {
     bool hasFailed = std::any_of(cells.begin(), cells.end(),
                                  [](const Cell& cell) { return cell.verdict == Verdict::Failed; });
     if (options.report.isWanted()) {
-        const auto faults = options.report.write(cells, sourcesOf(request), request.jobs);
+        Report report = reportOf(cells, sourcesOf(request), request.jobs);
+        const auto faults = faultsOf(report.pictures);
+        options.report.write(std::move(report));
         sayFaults(faults, [&](std::size_t i) { return cells[i].id(); });
         hasFailed = hasFailed || !faults.empty();
     }

@@ -141,9 +141,7 @@ void FormatOption::addColourTo(CLI::App& app) {
 Page FormatOption::value() const {
     Page page = word == "json" ? Format::Json : word == "csv" ? Format::Csv : Format::Text;
     page.width = textColumns();
-    const char* noColour = std::getenv("NO_COLOR");
-    const bool mayColour = isTerminal(STDOUT_FILENO) && !(noColour && *noColour != 0);
-    page.colours = colour == "always" || (colour == "auto" && mayColour);
+    page.colours = colour == "always" || (colour == "auto" && takesColours(STDOUT_FILENO));
     return page;
 }
 

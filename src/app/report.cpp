@@ -99,9 +99,10 @@ int run(const Options& options) {
     if (options.runs.size() > 2)
         throw UsageError(fmt::format("{}: a third run; two can be compared", options.runs[2]));
     const bool compares = options.runs.size() == 2;
-    if (!compares && !options.output.isWanted()) throw UsageError("-o: a report needs a file to go to");
-    if (!compares && options.format.word != "text")
-        throw UsageError("--format: is for two runs; one goes into a page");
+    if (!compares && options.format.word == "csv")
+        throw UsageError("--format: csv is for two runs; of one, gnomon matrix has it");
+    if (!compares && options.format.word == "text" && !options.output.isWanted())
+        throw UsageError("-o: a report needs a file to go to; --format json prints what it says");
     options.output.check();
     std::error_code error;
     for (const std::string& file : options.runs)
@@ -109,16 +110,18 @@ int run(const Options& options) {
             throw UsageError(fmt::format("{}: is the run itself", options.output.file));
     const RunRecord last = readRun(options.runs.back());
     const RunRecord first = compares ? readRun(options.runs.front()) : RunRecord{};
+    const Page page = options.format.value();
     bool hasFaults = false;
-    if (options.output.isWanted()) {
-        const auto faults =
-            options.output.write(last.cells, sourcesOf(last, options), options.jobs, first.cells);
+    if (options.output.isWanted() || !compares) {
+        Report report = reportOf(last.cells, sourcesOf(last, options), options.jobs, first.cells);
+        const auto faults = faultsOf(report.pictures);
         sayFaults(faults, [&](std::size_t i) { return last.error(i, last.cells[i].id()).what(); });
         hasFaults = !faults.empty();
+        if (!compares && page.format == Format::Json) fmt::print("{}\n", wordsJson(report).dump(1));
+        if (options.output.isWanted()) options.output.write(std::move(report));
     }
     const auto changes = compares ? changesBetween(first.cells, last.cells) : std::vector<ChangeGroup>{};
-    if (compares)
-        fmt::print("{}", showChanges(changes, first.cells.size(), last.cells.size(), options.format.value()));
+    if (compares) fmt::print("{}", showChanges(changes, first.cells.size(), last.cells.size(), page));
     return hasFaults ? 3 : changes.empty() ? 0 : 1;
 }
 
@@ -130,7 +133,9 @@ void addReport(CLI::App& app, int& status) {
         "report",
         "A run as one page that opens from disk without a network: tables, pictures, film strips, plots.\n"
         "The run is what gnomon matrix --format json wrote; its pictures are drawn again. Of two runs: what\n"
-        "has changed from the first to the second, in words, and with -o as a page.");
+        "has changed from the first to the second, in words, and with -o as a page. --format json of one "
+        "run\n"
+        "prints all that the page says.");
     command
         ->add_option("run", options->runs,
                      "what gnomon matrix --format json wrote; or two of these, the older first")

@@ -130,13 +130,11 @@ void ReportFile::check() const {
     checkOutputFile(file, {".html"}, "a report's name ends in .html");
 }
 
-std::vector<std::pair<std::size_t, std::string>> ReportFile::write(const std::vector<Cell>& cells,
-                                                                   const RunSources& sources, int jobs,
-                                                                   const std::vector<Cell>& before) const {
+Report reportOf(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
+                const std::vector<Cell>& before) {
     TerminalProgress bar("pictures");
     RunPictures pictures = drawRun(cells, sources, jobs, [&](const Progress& at) { bar.show(at); });
     bar.clear();
-    auto faults = faultsOf(pictures);
     Report report{.title = {commandOf(cells, sources), "gnomon " GNOMON_VERSION},
                   .cells = cells,
                   .sources = sources,
@@ -147,6 +145,10 @@ std::vector<std::pair<std::size_t, std::string>> ReportFile::write(const std::ve
         report.before = RunTitle{commandOf(before, sources), "gnomon"};
         report.changes = changesBetween(before, cells);
     }
+    return report;
+}
+
+void ReportFile::write(Report report) const {
     std::string page;
     try {
         page = reportPage(bundledPage(), std::move(report), std::size_t(megabytes * 1e6));
@@ -161,7 +163,6 @@ std::vector<std::pair<std::size_t, std::string>> ReportFile::write(const std::ve
             if (!out) throw std::runtime_error("can't be written");
         });
     });
-    return faults;
 }
 
 void sayFaults(const std::vector<std::pair<std::size_t, std::string>>& faults,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/options.h"
+#include "report/run_json.h"
 #include "report/run_pictures.h"
 
 namespace gnomon {
@@ -22,14 +23,15 @@ struct ReportFile {
     /// Refuses a file that could not be written, before anything is drawn.
     /// @throws UsageError
     void check() const;
-    /// Draws the pictures in @p jobs processes and writes the report.
-    /// @param before  cells of an older run that these are compared with; empty: none
-    /// @returns faultsOf() the pictures: the page marks these cells
+    /// Writes the page of a report.
     /// @throws UsageError  it can't be written, or is too large without any picture
-    std::vector<std::pair<std::size_t, std::string>> write(const std::vector<Cell>& cells,
-                                                           const RunSources& sources, int jobs,
-                                                           const std::vector<Cell>& before = {}) const;
+    void write(Report report) const;
 };
+
+/// The report of @p cells, with its pictures drawn in @p jobs processes.
+/// @param before  cells of an older run that these are compared with; empty: none
+Report reportOf(const std::vector<Cell>& cells, const RunSources& sources, int jobs,
+                const std::vector<Cell>& before = {});
 
 /// Names the cells that did not come out as their run has them on standard error, a line each.
 /// @param nameOf  a cell by its index, with where it stands

@@ -13,7 +13,8 @@ namespace gnomon {
 void ShowOption::addTo(CLI::App& app) {
     app.add_option("--show", word,
                    "the picture in the terminal: sixel, blocks (half blocks in 24-bit colour), ascii (dark "
-                   "letters on a light ground), auto (sixel where the terminal has it, else blocks)")
+                   "letters on a light ground), auto (sixel where the terminal has it, else "
+                   "blocks; ascii where there is no terminal, or NO_COLOR is set)")
         ->check(CLI::IsMember({"auto", "sixel", "blocks", "ascii"}));
 }
 
@@ -22,10 +23,12 @@ void ShowOption::check(const Page& page) const {
 }
 
 std::string ShowOption::text(const Image& image) const {
-    const bool isSixel = word == "sixel" || (word == "auto" && terminalHasSixel());
+    const bool isSixel =
+        word == "sixel" || (word == "auto" && takesColours(STDOUT_FILENO) && terminalHasSixel());
     if (isSixel) return sixel(fitted(image, int(windowPixels(STDOUT_FILENO)))) + "\n";
     const Image small = fitted(image, int(pictureColumns()));
-    return word == "ascii" ? letterPicture(small) : halfBlocks(small);
+    const bool isPlain = word == "auto" && !takesColours(STDOUT_FILENO);
+    return word == "ascii" || isPlain ? letterPicture(small) : halfBlocks(small);
 }
 
 }  // namespace gnomon

@@ -54,6 +54,11 @@ bool isTerminal(int file) {
     return term && *term != 0 && std::string_view(term) != "dumb" && isatty(file);
 }
 
+bool takesColours(int file) {
+    const char* noColour = std::getenv("NO_COLOR");
+    return isTerminal(file) && !(noColour && *noColour != 0);
+}
+
 std::size_t windowColumns(int file) {
     winsize window{};
     return ioctl(file, TIOCGWINSZ, &window) == 0 && window.ws_col > 0 ? window.ws_col : kUsualColumns;

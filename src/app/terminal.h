@@ -12,6 +12,9 @@ namespace gnomon {
 /// and not "dumb".
 bool isTerminal(int file);
 
+/// Whether colours are welcome there: it is a terminal, and NO_COLOR (no-color.org) is not set.
+bool takesColours(int file);
+
 /// Columns of the terminal behind @p file now, from the system; 80 where it does not say.
 std::size_t windowColumns(int file);
 

@@ -65,7 +65,12 @@ std::pair<int, std::string> causeOf(const Cell& a, const Cell& b, const Json& di
         return fmt::format("{}: {} -> {}", what, old, now);
     };
     const int before = a.wrongEdge + a.wrongInterior, after = b.wrongEdge + b.wrongInterior;
-    if (a.verdict != b.verdict) return {0, change("verdict", name(a.verdict), name(b.verdict))};
+    if (a.verdict != b.verdict) {
+        const std::string verdicts = change("verdict", name(a.verdict), name(b.verdict));
+        // What made it wrong, or has gone that did.
+        const Cell& worse = after >= before ? b : a;
+        return {0, worse.causes.empty() ? verdicts : fmt::format("{} ({})", verdicts, causeNames(worse))};
+    }
     if (a.error != b.error) return {1, "failed otherwise"};
     if (a.missing != b.missing) {
         const std::string old = limitNames(a), now = limitNames(b);
@@ -111,10 +116,20 @@ std::string words(const std::string& key, const Json& value) {
     return parts.empty() ? "none" : fmt::format("{}", fmt::join(parts, ", "));
 }
 
+/// What was asked of a cell besides what its id has, where it is not the default: "; fidelity chip".
+std::string choicesOf(const Json& cell) {
+    const Json usual = wholeOf(Cell{});
+    std::string text;
+    for (const char* key : {"shade", "fidelity", "dither", "blend_unit", "effects", "view"})
+        if (cell.contains(key) && (!usual.contains(key) || cell.at(key) != usual.at(key)))
+            text += fmt::format("; {} {}", key, plain(cell.at(key)));
+    return text;
+}
+
 std::string changeText(const CellChange& change) {
     if (change.before.is_null() || change.after.is_null()) {
         const Json& cell = change.before.is_null() ? change.after : change.before;
-        return fmt::format("{}: {}", change.cell, std::string(cell.at("verdict")));
+        return fmt::format("{}: {}{}", change.cell, plain(cell.at("verdict")), choicesOf(cell));
     }
     std::vector<std::string> parts;
     for (const auto& [key, old] : change.before.items())

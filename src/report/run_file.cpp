@@ -12,6 +12,7 @@
 
 #include "gl/device.h"
 #include "matrix/cell_json.h"
+#include "predict/causes.h"
 
 namespace gnomon {
 namespace {
@@ -94,6 +95,12 @@ class Elements {
     int m_line = 1, m_elementLine = 1;
     bool m_done = false;
 };
+
+bool isCause(const std::string& word) {
+    for (int c = 1; c < kCauses; ++c)
+        if (word == name(Cause(c))) return true;
+    return false;
+}
 
 std::string kindOf(const Json& json) {
     if (json.is_number()) return "a number";
@@ -187,6 +194,26 @@ std::string cellFault(const Cell& c) {
     return {};
 }
 
+/// Where the verdict of a drawn cell, its wrong pixels and their causes don't agree; "" if they do.
+std::string verdictFault(const Cell& c) {
+    if (c.verdict == Verdict::Refused || c.verdict == Verdict::Failed) return {};
+    const Verdict follows = c.wrongInterior > 0 ? Verdict::Wrong
+                            : c.wrongEdge > 0   ? Verdict::Edge
+                                                : Verdict::Exact;
+    if (follows != c.verdict)
+        return fmt::format("the verdict is {}, but with {} wrong pixels at boundaries and {} away from them",
+                           name(c.verdict), c.wrongEdge, c.wrongInterior);
+    long caused = 0;
+    for (const auto& [cause, pixels] : c.causes) {
+        if (!isCause(cause)) return fmt::format("no such cause '{}'", cause);
+        caused += pixels;
+    }
+    // Of several lights, a pixel may be wrong by more than one.
+    if (c.lights == 1 && caused != c.wrongEdge + c.wrongInterior)
+        return fmt::format("{} wrong pixels, but causes of {}", c.wrongEdge + c.wrongInterior, caused);
+    return {};
+}
+
 /// What of @p json a cell does not keep; "" if it keeps all.
 std::string lostFault(const Json& json, const Cell& cell) {
     const Json back = toJson(cell);
@@ -222,6 +249,7 @@ Cell cellOf(const Json& json) {
         throw std::invalid_argument(fmt::format("no such effects {}", json.at("effects").dump()));
     const Cell cell = cellFromJson(json);
     refuseIf(cellFault(cell));
+    refuseIf(verdictFault(cell));
     refuseIf(lostFault(json, cell));
     return cell;
 }

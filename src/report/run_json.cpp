@@ -40,6 +40,21 @@ Json columnOf(const std::vector<Json>& values) {
     return dictionary.json();
 }
 
+/// By cell, its drawing; -1: none.
+std::vector<int> drawingsOf(std::size_t cells, const RunPictures& pictures) {
+    std::vector<int> drawings(cells, -1);
+    for (std::size_t d = 0; d < pictures.drawings.size(); ++d)
+        for (const std::size_t cell : pictures.drawings[d].cells) drawings[cell] = int(d);
+    return drawings;
+}
+
+/// The passes of a cell for people; "" where the report has none.
+std::string planOf(std::size_t cell, int drawing, const RunPictures& pictures) {
+    const auto refused = pictures.refusedPlans.find(cell);
+    if (refused != pictures.refusedPlans.end()) return refused->second;
+    return drawing < 0 ? "" : pictures.drawings[std::size_t(drawing)].plan;
+}
+
 Json cellsJson(const std::vector<Cell>& cells, const RunPictures& pictures) {
     std::vector<std::string> names;
     std::map<std::string, std::vector<Json>> columns;
@@ -52,16 +67,9 @@ Json cellsJson(const std::vector<Cell>& cells, const RunPictures& pictures) {
     Json json = Json::object();
     for (const std::string& name : names) json[name] = columnOf(columns[name]);
 
-    std::vector<int> drawings(cells.size(), -1);
-    for (std::size_t d = 0; d < pictures.drawings.size(); ++d)
-        for (const std::size_t cell : pictures.drawings[d].cells) drawings[cell] = int(d);
+    const std::vector<int> drawings = drawingsOf(cells.size(), pictures);
     Dictionary plans;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto refused = pictures.refusedPlans.find(i);
-        plans.add(refused != pictures.refusedPlans.end() ? refused->second
-                  : drawings[i] < 0                      ? ""
-                                                         : pictures.drawings[std::size_t(drawings[i])].plan);
-    }
+    for (std::size_t i = 0; i < cells.size(); ++i) plans.add(planOf(i, drawings[i], pictures));
     json["drawing"] = {{"values", drawings}};
     json["plan"] = plans.json();
     return {{"count", cells.size()}, {"columns", json}};
@@ -132,6 +140,12 @@ Json scenesJson(const std::vector<Cell>& cells) {
     return scenes;
 }
 
+/// Adds to what is said of a cell or drawing how it came out otherwise than its run has it.
+void addFaults(Json& json, const CellDrawing& drawing) {
+    if (!drawing.differs.empty()) json["differs"] = drawing.differs;
+    if (!drawing.error.empty()) json["error"] = drawing.error;
+}
+
 Json drawingJson(const CellDrawing& drawing, const std::vector<Cell>& cells) {
     const Cell& cell = cells[drawing.cells.front()];
     Json pictures = Json::object(), strip = Json::array();
@@ -144,8 +158,7 @@ Json drawingJson(const CellDrawing& drawing, const std::vector<Cell>& cells) {
     }
     Json json{{"width", cell.width}, {"height", cell.height}, {"chunk", drawing.chunk},
               {"frame", cell.frame}, {"pictures", pictures},  {"strip", strip}};
-    if (!drawing.differs.empty()) json["differs"] = drawing.differs;
-    if (!drawing.error.empty()) json["error"] = drawing.error;
+    addFaults(json, drawing);
     return json;
 }
 
@@ -226,6 +239,21 @@ Json runJson(const Report& report) {
             {"pictures", packed},
             {"states", states},
             {"compare", compare}};
+}
+
+Json wordsJson(const Report& report) {
+    Json json = runJson(report), cells = Json::array();
+    for (const char* key : {"drawings", "pictures"}) json.erase(key);
+    const std::vector<int> drawings = drawingsOf(report.cells.size(), report.pictures);
+    for (std::size_t i = 0; i < report.cells.size(); ++i) {
+        Json cell = toJson(report.cells[i]);
+        if (std::string plan = planOf(i, drawings[i], report.pictures); !plan.empty())
+            cell["plan"] = std::move(plan);
+        if (drawings[i] >= 0) addFaults(cell, report.pictures.drawings[std::size_t(drawings[i])]);
+        cells.push_back(std::move(cell));
+    }
+    json["cells"] = std::move(cells);
+    return json;
 }
 
 }  // namespace gnomon

@@ -34,6 +34,11 @@ struct Report {
 /// of masks, changes.
 nlohmann::ordered_json runJson(const Report& report);
 
+/// The same for other programs, without pictures: cells as `gnomon matrix --format json` has them, each with
+/// the "plan" that the page shows of it, and "differs" and "error" where it came out otherwise than its run
+/// has it.
+nlohmann::ordered_json wordsJson(const Report& report);
+
 /// The keys of a cell's JSON object with their values, those of objects within by "passes.scene"; "causes"
 /// and "view", whose keys are the cell's own, stay objects. Without the id.
 std::vector<std::pair<std::string, nlohmann::ordered_json>> flatCell(const Cell& cell);

@@ -74,17 +74,23 @@ Image causesOf(const Image& mask, const std::vector<Cause>& causes) {
     return out;
 }
 
-/// The keys of the pictures and of their judgement in which two drawings of one cell differ.
-std::vector<std::string> differingOutcomes(const Cell& a, const Cell& b) {
-    const std::set<std::string> outcomes{
+/// What was found of a cell: its pictures, their judgement, and its passes.
+std::map<std::string, Json> outcomesOf(const Cell& cell) {
+    static const std::set<std::string> keys{
         "digest",     "verdict",     "causes",       "wrong.edge",    "wrong.interior",   "tied.truth",
         "tied.count", "unpredicted", "passes.scene", "passes.volume", "passes.rectangle", "passes.copy"};
-    const auto before = flatCell(a), after = flatCell(b);
+    std::map<std::string, Json> outcomes;
+    for (auto& [key, value] : flatCell(cell))
+        if (keys.contains(key)) outcomes.emplace(key, std::move(value));
+    return outcomes;
+}
+
+/// The keys of outcomesOf() in which two drawings of one cell differ.
+std::vector<std::string> differingOutcomes(const Cell& a, const Cell& b) {
+    const auto before = outcomesOf(a), after = outcomesOf(b);
     std::vector<std::string> keys;
     for (const auto& [key, value] : before)
-        if (outcomes.contains(key) &&
-            std::find(after.begin(), after.end(), std::pair(key, value)) == after.end())
-            keys.push_back(key);
+        if (after.at(key) != value) keys.push_back(key);
     return keys;
 }
 
@@ -128,7 +134,7 @@ class GroupDrawer {
         const std::string key = fmt::format(
             "{} {} {} {} {}",
             resultKey(bufferFormatOf(profile), arithmeticOf(profile, choice), plan, cell.axes, {}),
-            profile.depthClamp, name(cell.axes.silhouette), cell.device, cell.digest);
+            profile.depthClamp, name(cell.axes.silhouette), cell.device, Json(outcomesOf(cell)).dump());
         const auto [at, isNew] = m_known.try_emplace(key, m_drawings.size());
         if (!isNew) {
             m_drawings[at->second].cells.push_back(index);
@@ -163,7 +169,7 @@ class GroupDrawer {
         if (again.verdict == Verdict::Refused)
             drawing.error = fmt::format("it is refused: the chip lacks {}", again.missing.front().what);
         if (!drawing.error.empty()) return;
-        if (again.digest != cell.digest) drawing.differs = differingOutcomes(cell, again);
+        drawing.differs = differingOutcomes(cell, again);
         drawing.chunk = m_pack.beginChunk();
         const auto add = [&](const char* what, const Image& image, PictureKind kind, std::vector<int>& like) {
             // A strip is to build on the image.

@@ -133,6 +133,25 @@ TEST_F(ReportCommand, ShowsNothingThatJsonAndCsvLack) {
     }
 }
 
+TEST_F(ReportCommand, PrintsAsJsonAllThatThePageSays) {
+    const std::string file = write("run.json", smallRun());
+    const Outcome outcome = run({"report", file, "--format", "json", "-o", pathOf("a.html")});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    const Json words = Json::parse(outcome.out), shown = runOf(page("a.html")),
+               cells = Json::parse(smallRun());
+    for (const char* key : {"command", "profiles", "methods", "scenes", "causes", "states"})
+        EXPECT_EQ(words.at(key), shown.at(key)) << key;
+    ASSERT_EQ(words.at("cells").size(), cells.size());
+    const Json& plans = shown.at("cells").at("columns").at("plan");
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        Json cell = words.at("cells")[i];
+        EXPECT_EQ(cell.value("plan", ""), plans.at("dictionary")[std::size_t(plans.at("values")[i])]);
+        cell.erase("plan");
+        EXPECT_EQ(cell, cells[i]);
+    }
+    EXPECT_EQ(run({"report", file, "--format", "json"}).out, outcome.out) << "without a page";
+}
+
 TEST_F(ReportCommand, KeepsToItsLimit) {
     const std::string file = write("run.json", smallRun());
     ASSERT_EQ(run({"report", file, "-o", pathOf("a.html")}).status, 0);
@@ -225,7 +244,7 @@ TEST_F(ReportCommand, RefusesBadFilesInOneLine) {
     expectRefused(run({"report", good}), "-o: ");
     expectRefused(run({"report", good, "-o", pathOf("a.txt")}), "a report's name ends in .html");
     expectRefused(run({"report", good, "-o", pathOf("none/a.html")}), "no folder");
-    expectRefused(run({"report", good, "--format", "json", "-o", html}), "--format");
+    expectRefused(run({"report", good, "--format", "csv", "-o", html}), "--format");
     expectRefused(run({"report", good, good, good}), "a third run");
     expectRefused(run({"report", pathOf("none.json"), "-o", html}), "none.json: no such file");
     expectRefused(run({"report", pathOf(""), "-o", html}), "is a folder");
@@ -272,7 +291,10 @@ TEST_F(ReportCommand, TellsWhatHasChanged) {
     const Outcome paged = run({"report", before, before, "-o", pathOf("same.html")});
     EXPECT_EQ(paged.status, 0) << paged.err;
     EXPECT_TRUE(runOf(page("same.html")).at("compare").at("changes").empty());
-    EXPECT_EQ(run({"report", before, after, "-o", pathOf("change.html")}).status, 1);
+    EXPECT_EQ(run({"report", after, before, "-o", pathOf("change.html")}).status, 1);
+    const Outcome altered = run({"report", before, after, "-o", pathOf("change.html")});
+    EXPECT_EQ(altered.status, 3) << "the drawn one of the altered cells comes out as before";
+    EXPECT_THAT(altered.err, testing::EndsWith(" drawn again, it differs from the run in passes.copy\n"));
     EXPECT_EQ(runOf(page("change.html")).at("compare").at("changes"), json.at("changes"));
 }
 

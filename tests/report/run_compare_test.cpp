@@ -48,7 +48,7 @@ TEST(RunCompare, FindsNothingInTheSameRunNorInTimes) {
 
 TEST(RunCompare, NamesTheGravestChangeOfACell) {
     EXPECT_THAT(causesAfter([](Cell& c) { c.verdict = Verdict::Exact, c.wrongEdge = 0, c.causes = {}; }),
-                ElementsAre("verdict: edge -> exact"));
+                ElementsAre("verdict: edge -> exact (mask clamps)"));
     EXPECT_THAT(causesAfter([](Cell& c) { c.wrongEdge = 6, c.digest = "2"; }),
                 ElementsAre("more wrong pixels"));
     EXPECT_THAT(causesAfter([](Cell& c) { c.wrongEdge = 4; }), ElementsAre("fewer wrong pixels"));
@@ -86,8 +86,9 @@ TEST(RunCompare, GroupsCellsAndPutsTheGravestGroupFirst) {
     after[5].verdict = Verdict::Wrong;
     before.push_back(cellOf("gone")), after.push_back(cellOf("new"));
     const auto groups = changesBetween(before, after);
-    EXPECT_THAT(causesOf(groups), ElementsAre("verdict: edge -> wrong", "passes: 2/4/3/0 -> 2/4/3/1",
-                                              "only in the old run", "only in the new run"));
+    EXPECT_THAT(causesOf(groups),
+                ElementsAre("verdict: edge -> wrong (mask clamps)", "passes: 2/4/3/0 -> 2/4/3/1",
+                            "only in the old run", "only in the new run"));
     EXPECT_EQ(groups[1].cells.size(), 5u);
     EXPECT_EQ(groups[1].cells[2].before.dump(), R"({"passes.copy":0})");
     EXPECT_EQ(groups[1].cells[2].after.dump(), R"({"passes.copy":1})");
@@ -123,6 +124,15 @@ TEST(RunCompare, SaysInWordsWhatAChipLacksAndFitsItsPage) {
     EXPECT_THAT(text, HasSubstr("mask clamps (5) -> none\n"));
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 40u) << line;
+}
+
+TEST(RunCompare, SaysWhatIsAskedOfCellsOfOneRunOnly) {
+    Cell chip = cellOf("tnt");
+    chip.fidelity = "chip";
+    const std::string text = showChanges(changesBetween({cellOf("tnt")}, {chip}), 1, 1, Format::Text);
+    EXPECT_THAT(text,
+                HasSubstr("only in the old run (1 cell)\n  tnt/roettger-screen/boxes/320x240/0: edge\n"));
+    EXPECT_THAT(text, HasSubstr("tnt/roettger-screen/boxes/320x240/0: edge; fidelity chip\n"));
 }
 
 // One id stands for cells of several shades; each is compared with its own.

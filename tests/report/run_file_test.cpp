@@ -155,6 +155,24 @@ INSTANTIATE_TEST_SUITE_P(
                "no method 'no-such-method': the axes of this cell are those of '"},
         Damage{"Contradiction", [](Json& j) { j["store"] = "stencil"; }, "double"},
         Damage{"Cause", [](Json& j) { j["causes"]["mask clamps"] = "many"; }, "'causes.mask clamps'"},
+        Damage{"StrangeCause",
+               [](Json& j) {
+                   j["causes"] = {{"no reason", 0}};
+               },
+               "no such cause 'no reason'"},
+        Damage{"UncausedPixels",
+               [](Json& j) {
+                   j["verdict"] = "edge";
+                   j["wrong"] = {{"edge", 3}, {"interior", 0}};
+                   j["causes"] = {{"mask clamps", 2}};
+               },
+               "3 wrong pixels, but causes of 2"},
+        Damage{"OtherVerdict",
+               [](Json& j) {
+                   j["verdict"] = "exact";
+                   j["wrong"] = {{"edge", 3}, {"interior", 0}};
+               },
+               "the verdict is exact, but with 3 wrong pixels"},
         Damage{"Missing", [](Json& j) { j["missing"] = {3}; }, "'missing' has what is no object"},
         Damage{"Warning", [](Json& j) { j["warnings"] = {3}; }, "'warnings'"},
         Damage{"View",

@@ -144,10 +144,20 @@ TEST(RunPictures, MarkTheCellThatComesOutOtherwise) {
     const RunPictures all = drawRun(cells, smallRun().sources, 2);
     EXPECT_EQ(shownCells(cells).back(), index);
     EXPECT_THAT(faultsOf(all), ElementsAre(Pair(index,
-                                                "drawn again, it differs from the run in wrong.edge, "
-                                                "digest")));
+                                                "drawn again, it differs from the run in digest, "
+                                                "wrong.edge")));
     EXPECT_TRUE(faultsOf(drawn()).empty());
     EXPECT_THAT(faultsOf(fitted(all, 0)), SizeIs(1)) << "what differs is said without its pictures too";
+}
+
+// The pictures are the same, what the run says of them is not.
+TEST(RunPictures, MarkTheCellThatIsJudgedOtherwise) {
+    std::vector<Cell> cells = smallRun().cells;
+    const std::size_t index = shownCells(cells).back();
+    cells[index].wrongInterior += 40;
+    cells[index].causes["mask clamps"] += 40;
+    const RunPictures all = drawRun(cells, smallRun().sources, 2);
+    EXPECT_THAT(faultsOf(all), ElementsAre(Pair(index, testing::EndsWith(" in causes, wrong.interior"))));
 }
 
 TEST(RunPictures, SayWhichCellIsRefusedNow) {
