@@ -253,11 +253,13 @@ function doNow() {
     task?.();
 }
 
-/// Shows what is wrong; nothing if nothing is.
+/// Shows what is wrong, on the page and in the cell that lies over it; nothing if nothing is.
 function problem(sentences) {
-    const node = document.getElementById('problem'), text = sentences.join(' ');
-    node.hidden = !text;
-    if (node.textContent !== text) node.textContent = text;
+    const text = sentences.join(' ');
+    for (const node of document.querySelectorAll('.problem')) {
+        node.hidden = !text;
+        if (node.textContent !== text) node.textContent = text;
+    }
 }
 
 readReport().then(start).catch((error) => problem([`The report can\u2019t be shown: ${error.message}.`]));

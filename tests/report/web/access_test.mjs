@@ -55,6 +55,30 @@ describe('report page, for all', { skip }, () => {
         assert.match(tab.url(), /48x36\/2/);
     });
 
+    test('keys of an opened cell from its heading: frames, and the pictures', { hash: '#cell=tnt/roettger-half/boxes/48x36/0' }, async (tab) => {
+        const frame = () => tab.locator('dialog p.muted').first().textContent();
+        const view = tab.locator('.pictured .viewer').first();
+        await view.waitFor();
+        const pair = () => view.locator('select').evaluateAll((all) => all.map((node) => node.value));
+        const before = await pair(), scale = Number(await view.getAttribute('data-scale'));
+        await tab.keyboard.press('s');
+        assert.deepEqual(await pair(), before.reverse());
+        await tab.keyboard.press('+');
+        assert.equal(Number(await view.getAttribute('data-scale')), 2 * scale);
+        await tab.keyboard.press('0');
+        assert.equal(Number(await view.getAttribute('data-scale')), scale);
+        await tab.keyboard.press('b');
+        assert.equal(await view.locator('[data-do=blink]').getAttribute('aria-pressed'), 'true');
+        await tab.keyboard.press('ArrowLeft');
+        assert.match(await frame(), /^boxes, frame 0/);
+        await tab.keyboard.press('ArrowRight');
+        assert.match(await frame(), /^boxes, frame 1/);
+        await tab.keyboard.press('ArrowRight');
+        await tab.keyboard.press('ArrowLeft');
+        assert.match(await frame(), /^boxes, frame 1/);
+        assert.match(await focused(tab), /roettger-half on NVIDIA/);
+    });
+
     test('what takes the focus shows it', {}, async (tab) => {
         for (let i = 0; i < 25; ++i) {
             await tab.keyboard.press('Tab');
