@@ -106,7 +106,7 @@ function methodMarks(light, change) {
     let known = [];
     roving(box, 'button');
     return {
-        node: h('div', {}, box, said),
+        node: h('div.plot-names', {}, box, said),
         /// What the pointer is over in a plot; null: nothing.
         point(method) {
             const entry = known.find(({ row }) => row === method);
