@@ -1,7 +1,7 @@
 // The report's page: reads the data that stands in it and puts the parts together.
 import { mendView, readAddress, splitSort } from './address.js';
 import { cellDialog } from './cell.js';
-import { changedCells, changesInWords, compareSection } from './compare.js';
+import { changedCells, changesInWords, compareSection, onlyOldCell } from './compare.js';
 import { blockText, bytesOfBase64, inflate } from './decode.js';
 import { h } from './dom.js';
 import { factsSection } from './facts.js';
@@ -206,7 +206,7 @@ function start(report) {
     document.querySelector('.skip').addEventListener('click', (event) => (event.preventDefault(), answer.focus()));
     const main = document.getElementById('main');
     main.append(...[
-        run.compare ? compareSection(run.compare, run.command, cells, go) : null,
+        run.compare ? compareSection(run, cells, go) : null,
         h('section', { 'aria-labelledby': 'answer-title' },
             h('div.section-head', {}, heading, verdictCounts(cells)),
             folded(bar.node, h('div.row.tools', {}, tools.map((tool) => tool.label), csv)), ...bar.shown, legend(changes.size > 0), answer),
@@ -232,7 +232,7 @@ function start(report) {
             faults.push(...mendView(state, drawingOf(cell), sizeOf(cell)));
             kept = viewOf(state);
         }
-        if (state.cell && cell < 0) faults.push(`The run has no cell ${state.cell}.`);
+        if (state.cell && cell < 0) faults.push(onlyOldCell(run.compare, state.cell) || `The run has no cell ${state.cell}.`);
         render(shown ? changedNames(before, state) : Object.keys(state));
     }
     fromAddress();

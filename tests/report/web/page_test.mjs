@@ -132,6 +132,21 @@ describe('report page', { skip }, () => {
         assert.equal(await tab.locator('#problem').textContent(), 'The run has no cell tnt/none/boxes/1x1/0.');
     });
 
+    test('says that a cell of the address stands only in the old run', { address: comparedReport, hash: '#cell=tnt/gone/boxes/48x36/0' }, async (tab) => {
+        assert.equal(await tab.locator('#problem').textContent(), 'The cell tnt/gone/boxes/48x36/0 stands only in the old run, where it was exact: the new run has none of that name.');
+    });
+
+    const otherCommand = () => {
+        const made = makeRun({ withCompare: true });
+        made.run.compare.old = { command: 'gnomon matrix boxes --profile my chip', program: 'gnomon' };
+        return reportFile('other.html', made);
+    };
+    for (const [address, words] of [[comparedReport, 'The old run (gnomon 0.0.9) and the new one are both of gnomon matrix boxes.'],
+        [otherCommand, "From the old run, gnomon matrix boxes --profile 'my chip', to the new one, gnomon matrix boxes."]])
+        test(`names what is known of two runs: ${words}`, { address }, async (tab) => {
+            assert.equal(await tab.locator('.compare > p').textContent(), words);
+        });
+
     test('names what refused a cell, with its source', { hash: '#cell=voodoo2/heidmann/boxes/48x36/0' }, async (tab) => {
         assert.match(await tab.locator('dialog .said table').textContent(), /stencilM-TDFX: Napalm only.*destination alpha beside depthMAME/);
         assert.equal(await tab.locator('dialog .viewer').count(), 0);
