@@ -144,8 +144,8 @@ describe('report modules', () => {
         assert.match(sentenceOf({ ...entry, verdict: 'exact' }), /, 1 to 13 scene passes, 4 rectangles/);
         const [row] = tableRows({ all: () => [entry] });
         assert.deepEqual([row.scene_passes_min, row.scene_passes_max, row.rectangles_min, row.rectangles_max], [1, 13, 4, 4]);
-        const rows = passRows({ rows: ['m'], entry: () => ({ ...entry, verdict: 'exact' }) }, 'p');
-        assert.deepEqual(rows[0], { method: 'm', kind: 'scene', fewest: 1, most: 13 });
+        const rows = passRows({ rows: ['m'], entry: () => ({ ...entry, verdict: 'exact' }) }, 'p', ['a', 'b']);
+        assert.deepEqual(rows[0], { profile: 'p', scenes: 'a; b', method: 'm', kind: 'scene', fewest: 1, most: 13 });
     });
 
     it('of what was refused everywhere the table as CSV has no figures', () => {
@@ -183,7 +183,7 @@ describe('report modules', () => {
     it('on the frontier nothing is both faster and more exact', () => {
         const all = table(cells, () => true).all();
         const shown = { rows: run.methods.map((m) => m.id), entry: (row, profile) => all.find((e) => e.row === row && e.profile === profile) };
-        const rows = accuracyRows(shown, 'ideal');
+        const rows = accuracyRows(shown, 'ideal', ['boxes']);
         assert.ok(rows.length > 5);
         for (const row of rows) {
             const beaten = rows.some((other) => other !== row && other.time_ratio <= row.time_ratio && other.wrong_percent <= row.wrong_percent && (other.time_ratio < row.time_ratio || other.wrong_percent < row.wrong_percent));

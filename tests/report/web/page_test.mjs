@@ -202,15 +202,17 @@ describe('report page', { skip }, () => {
             const svg = await download(tab, () => tab.locator(`#plot-${id} [data-do=svg]`).click());
             assert.equal(svg.name, `gnomon-${id}.svg`);
             assert.match(svg.text, /<svg[^]*<\/svg>/);
+            const named = { accuracy: ['ideal, No limits', 'scenes boxes, hard/eye &amp; light'], path: ['ideal, No limits', 'scene boxes'], passes: ['ideal, No limits', 'scenes boxes'], states: ['voodoo2, roettger-screen'] }[id];
+            for (const words of named) assert.ok(svg.text.includes(words), `${id} names ${words}`);
             assert.ok(await tab.evaluate((text) => !new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror'), svg.text));
         }
         await tab.locator('#plot-chip').selectOption('tnt');
         await tab.waitForFunction(() => document.querySelector('#plot-accuracy').dataset.drawn === '6');
         const { text } = await download(tab, () => tab.locator('#plot-accuracy [data-do=csv]').click());
         const lines = text.trim().split('\r\n');
-        assert.equal(lines[0], 'method,verdict,time_ratio,wrong_pixels,wrong_percent,frontier');
+        assert.equal(lines[0], 'profile,scenes,method,verdict,time_ratio,wrong_pixels,wrong_percent,frontier');
         assert.equal(lines.length, 7);
-        assert.equal(lines.filter((line) => line.startsWith('roettger-half,edge,')).length, 1);
+        assert.equal(lines.filter((line) => line.startsWith('tnt,boxes; hard/eye & light,roettger-half,edge,')).length, 1);
         const table = await download(tab, () => tab.locator('#table-csv').click());
         assert.equal(table.text.trim().split('\r\n').length, 1 + 40);
         assert.match(table.text, /tnt,roettger-half,edge,false,6,0,2,2,24,24,3,3,0,0,72,0,/);
