@@ -69,7 +69,7 @@ const withNear = (label, wide) => ({ ...label, near: label.x <= label.left ? lab
 
 /// @param colours  of exact, edge, wrong
 export function accuracySpec(rows, colours) {
-    const x = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 24 }, axis: { format: '~r', tickCount: 6 } };
+    const x = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 24 }, axis: { format: '.3~r', tickCount: 6 } };
     const y = { field: 'wrong_percent', type: 'quantitative', title: 'wrong pixels, percent', scale: { type: 'symlog', constant: 0.01, nice: false, padding: 16 }, axis: { values: [0, 0.01, 0.1, 1, 10, 100], format: '~r' } };
     const tooltip = ['method', 'verdict', 'time_ratio', 'wrong_pixels', 'wrong_percent'].map((field) => ({ field }));
     const scale = { domain: ['exact', 'edge', 'wrong'] };
@@ -122,7 +122,7 @@ export function pathSpec(rows, colours, width) {
         field: 'frame', type: 'quantitative', title: 'frame', axis: { values: frames, labelOverlap: true, grid: false, format: 'd' },
         scale: { zero: false, nice: false, domain: [first - 0.3, last + 0.3 + ((last - first + 0.6) * share) / (1 - share)] },
     };
-    const y = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 10 }, axis: { format: '~r', tickCount: 6 } };
+    const y = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 10 }, axis: { format: '.3~r', tickCount: 6 } };
     const color = { field: 'store', type: 'nominal', title: 'the count lives in', scale: colourOfStore, legend: { values: stores.filter((store) => seen.has(store)), orient: 'bottom', columns: Math.max(2, Math.floor((width - 60) / 105)), symbolType: 'stroke', symbolSize: 300 } };
     const detail = { field: 'method', type: 'nominal' };
     const tooltip = ['method', 'store', 'frame', 'time_ratio'].map((field) => ({ field }));

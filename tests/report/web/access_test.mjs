@@ -175,6 +175,11 @@ describe('report page, for all', { skip }, () => {
             }
         });
 
+    test('with one column the names of the lines take no more than they need', { hash: '#profile=tnt' }, async (tab) => {
+        const [name, entry] = await tab.locator('.answer tbody tr').first().evaluate((row) => [...row.cells].map((cell) => cell.offsetWidth));
+        assert.ok(name < 250 && entry > 800, `${name} ${entry}`);
+    });
+
     for (const width of [1280, 3840])
         test(`the table is as wide as its box at ${width} pixels, and cuts nothing that has room`, { width }, async (tab) => {
             const { box, table } = await tab.evaluate(() => ({ box: document.querySelector('.answer-box').clientWidth, table: document.querySelector('.answer').offsetWidth }));
