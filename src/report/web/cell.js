@@ -1,4 +1,5 @@
 // One cell, opened: verdict, pictures, film strip, plan, figures, what the chip lacks, the command.
+import { cellKeys } from './cell_keys.js';
 import { cellPictures, drawnOtherwise, hasPictures } from './cell_pictures.js';
 import { changeList } from './compare.js';
 import { counted, h, plural, roving, say, symbolOf } from './dom.js';
@@ -27,6 +28,7 @@ export function cellDialog(report, acts) {
     dialog.addEventListener('click', (event) => {
         if (event.target === dialog) dialog.close();
     });
+    cellKeys(dialog);
     document.body.append(dialog);
     const look = (news) => {
         acts.look(news);
@@ -75,6 +77,7 @@ function content(report, cell, state, { changes, go, look, address, close }) {
                 h('p.muted', {}, `${cells.get('scene', cell)}, frame ${cells.get('frame', cell)}, ${cells.size(cell).replace('x', '\u00d7')}`)),
             h('div.row', {}, step(-1, 'Frame before', 'before'), step(1, 'Next frame', 'next'), link,
                 h('button', { type: 'button', 'data-do': 'close', onclick: close }, 'Close'))),
+        h('p.problem', { role: 'alert', hidden: true }),
         h('div.cell-body', {},
             h('div.said', {},
                 h('section.verdict', {}, h(`p.badge.${verdict}`, {}, symbolOf(verdict), verdict), explanation(cells, cell).map((sentence) => h('p', {}, sentence)),

@@ -43,7 +43,7 @@ export function cellPictures(report, cell, mates, state, go, look) {
     const strip = hasStrip(report, cell) ? filmStrip(drawing.strip, run.causes, get, state, look) : null;
     return [h('section', {}, h('div.pictures-head', {}, h('h3', {}, 'Pictures'),
         strip && h('button', { type: 'button', 'data-do': 'to-strip', onclick: () => strip.querySelector('.film').focus() }, 'To the film strip \u2193')), box,
-        h('p.muted.keys', {}, 'Keys in a picture: arrows walk over pixels (with Shift by ten), + and \u2212 zoom, 0 fits, [ and ] move the divider, b blinks, s swaps. A click keeps its pixel in the address.')),
+        h('p.muted.keys', {}, 'Keys in a picture: arrows walk over pixels (with Shift by ten), + and \u2212 zoom, 0 fits, [ and ] move the divider, b blinks, s swaps. A click keeps its pixel in the address. From the cell\u2019s heading the left and right arrow go to the frame before and after, and b, s, +, \u2212 and 0 act on these pictures.')),
     h('section.film-section', {}, h('h3', {}, 'Film strip: the buffers after every pass'),
         strip ?? stripElsewhere(report, cell, mates, go))];
 }

@@ -2,6 +2,7 @@
 import { changeWords } from './change_words.js';
 import { counted, h, plural, symbolOf } from './dom.js';
 import { verdicts } from './run.js';
+import { runCommand } from './words.js';
 
 const most = 200;  // lines of a group before the reader asks for more
 
@@ -46,11 +47,27 @@ export function changesInWords(compare) {
     return `${plural(total, 'cell')} changed since the old run: ${kinds.map(of).join(', ')}.`;
 }
 
+/// Which runs are compared: a command that both have is named once, a gnomon only where its version is known.
+function bothRuns({ old }, run) {
+    const code = (command) => h('code', {}, runCommand(command));
+    const version = /\d/.test(old.program) ? ` (${old.program})` : '';
+    return old.command === run.command ? [`The old run${version} and the new one are both of `, code(run.command)]
+        : ['From the old run, ', code(old.command), `${version}, to the new one, `, code(run.command)];
+}
+
+/// What a cell was that only the old run has; empty if there is none of that name.
+export function onlyOldCell(compare, name) {
+    const change = (compare?.changes ?? []).flatMap(({ cells }) => cells).find(({ cell, new: after }) => cell === name && !after);
+    const verdict = change?.old?.verdict;
+    return change ? `The cell ${name} stands only in the old run${verdict ? `, where it was ${verdict}` : ''}: the new run has none of that name.` : '';
+}
+
 /// @param go  shows a cell, by its index
-export function compareSection(compare, command, cells, go) {
+export function compareSection(run, cells, go) {
+    const { compare } = run;
     return h('section.compare', { 'aria-labelledby': 'compare-title' },
         h('h2', { id: 'compare-title' }, 'What changed'),
-        h('p', {}, 'From ', h('code', {}, compare.old.command), ` (${compare.old.program}) to `, h('code', {}, command), compare.changes.length ? '.' : ': nothing.'),
+        h('p', {}, bothRuns(compare, run), compare.changes.length ? '.' : ': nothing changed.'),
         changeKinds(compare).map(({ heading, number, groups }) => [
             h('h3', {}, heading, h('span.muted', {}, ` \u00b7 ${plural(number, 'cell')}`)),
             groups.map((group) => groupDetails(group, cells, go)),

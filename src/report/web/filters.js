@@ -1,5 +1,6 @@
 // The bar above the table: what is shown of the run.
 import { h, plural, say, symbolOf } from './dom.js';
+import { filterWords } from './filter_words.js';
 import { verdicts } from './run.js';
 import { filters } from './state.js';
 
@@ -28,7 +29,7 @@ export function filterBar(choices, compares, change) {
         type: 'button', id: 'reset',
         onclick: () => change({ ...Object.fromEntries(filters.map((name) => [name, null])), text: '', changed: compares ? 'all' : '' }),
     }, 'Show all');
-    const shown = h('p.shown', { id: 'shown' });
+    const shown = h('p.shown', { id: 'shown' }), only = h('p.only');
     const node = h('form.filters', { role: 'search', 'aria-label': 'Filter', onsubmit: (event) => event.preventDefault() },
         changed, picks.map((p) => p.node),
         h('fieldset.verdicts', {}, h('legend', {}, 'Verdict'), toggles),
@@ -36,7 +37,7 @@ export function filterBar(choices, compares, change) {
         reset);
     const bar = {
         node,
-        shown,
+        shown: [shown, only],
         state: null,
         /// Shows a state, and how much of the run it leaves.
         update(next, changedOnly, left) {
@@ -47,7 +48,9 @@ export function filterBar(choices, compares, change) {
             changed?.setAttribute('aria-pressed', String(changedOnly));
             if (text.value !== next.text) text.value = next.text;
             const said = `${plural(left.rows, 'method')} on ${plural(left.profiles, 'chip')}: ` +
-                `${plural(left.cells, 'cell')} of ${plural(left.all, 'cell').replace(/ cells?$/, '')}`;
+                `${plural(left.cells, 'cell')} of ${plural(left.all, 'cell').replace(/ cells?$/, '')}` +
+                (next.verdict ? `, in entries whose worst verdict is ${[...next.verdict].join(' or ')}` : '');
+            only.textContent = filterWords(next, changedOnly);
             if (shown.textContent && shown.textContent !== said) say(said);
             shown.textContent = said;
         },

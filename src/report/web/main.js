@@ -1,7 +1,7 @@
 // The report's page: reads the data that stands in it and puts the parts together.
 import { mendView, readAddress, splitSort } from './address.js';
 import { cellDialog } from './cell.js';
-import { changedCells, changesInWords, compareSection } from './compare.js';
+import { changedCells, changesInWords, compareSection, onlyOldCell } from './compare.js';
 import { blockText, bytesOfBase64, inflate } from './decode.js';
 import { h } from './dom.js';
 import { factsSection } from './facts.js';
@@ -16,6 +16,7 @@ import { changedNames, entryKeeper, filters, hashOf, initialState, keeper, views
 import { steps } from './steps.js';
 import { answerTable, figureNames, tableRows } from './table.js';
 import { answerOf, runInWords, verdictCounts } from './title.js';
+import { runCommand } from './words.js';
 
 const acrossNames = { profiles: 'chips', methods: 'methods' };
 const lookNames = { figures: 'figures', symbols: 'symbols' };
@@ -198,17 +199,17 @@ function start(report) {
 
     document.getElementById('title').textContent = `${run.compare ? 'What changed between two runs. ' : ''}${runInWords(run, cells)}`;
     document.getElementById('about').before(h('p.result', { id: 'result' }, [run.compare ? changesInWords(run.compare) : '', ...answerOf(run, cells, whole)].join(' ').trim()));
-    document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program}`);
+    document.getElementById('about').replaceChildren(h('code', {}, runCommand(run.command)), ` \u00b7 ${run.program}`);
     document.title = `${run.command} \u00b7 gnomon report`;
     document.getElementById('tools').append(themeButton(() => plots.draw()));
     const answer = h('div', { id: 'answer', tabIndex: -1 }, box);
     document.querySelector('.skip').addEventListener('click', (event) => (event.preventDefault(), answer.focus()));
     const main = document.getElementById('main');
     main.append(...[
-        run.compare ? compareSection(run.compare, run.command, cells, go) : null,
+        run.compare ? compareSection(run, cells, go) : null,
         h('section', { 'aria-labelledby': 'answer-title' },
             h('div.section-head', {}, heading, verdictCounts(cells)),
-            folded(bar.node, h('div.row.tools', {}, tools.map((tool) => tool.label), csv)), bar.shown, legend(changes.size > 0), answer),
+            folded(bar.node, h('div.row.tools', {}, tools.map((tool) => tool.label), csv)), ...bar.shown, legend(changes.size > 0), answer),
         plots.node,
         factsSection(run, choices.profile),
     ].filter(Boolean));
@@ -231,7 +232,7 @@ function start(report) {
             faults.push(...mendView(state, drawingOf(cell), sizeOf(cell)));
             kept = viewOf(state);
         }
-        if (state.cell && cell < 0) faults.push(`The run has no cell ${state.cell}.`);
+        if (state.cell && cell < 0) faults.push(onlyOldCell(run.compare, state.cell) || `The run has no cell ${state.cell}.`);
         render(shown ? changedNames(before, state) : Object.keys(state));
     }
     fromAddress();
@@ -253,11 +254,13 @@ function doNow() {
     task?.();
 }
 
-/// Shows what is wrong; nothing if nothing is.
+/// Shows what is wrong, on the page and in the cell that lies over it; nothing if nothing is.
 function problem(sentences) {
-    const node = document.getElementById('problem'), text = sentences.join(' ');
-    node.hidden = !text;
-    if (node.textContent !== text) node.textContent = text;
+    const text = sentences.join(' ');
+    for (const node of document.querySelectorAll('.problem')) {
+        node.hidden = !text;
+        if (node.textContent !== text) node.textContent = text;
+    }
 }
 
 readReport().then(start).catch((error) => problem([`The report can\u2019t be shown: ${error.message}.`]));

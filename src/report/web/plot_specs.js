@@ -4,10 +4,11 @@ import { isDrawn, rowOf } from './run.js';
 
 /// Rows of "accuracy against time": of each method drawn on a chip, and whether it is on the frontier, where nothing is
 /// both as fast and as accurate.
-export function accuracyRows(shown, profile) {
+/// @param scenes  over which they are put together
+export function accuracyRows(shown, profile, scenes) {
     const rows = shown.rows.map((row) => shown.entry(row, profile)).filter((entry) => entry && isDrawn(entry.verdict) && !Number.isNaN(entry.ratio))
         .map((entry) => ({
-            method: entry.row, verdict: entry.verdict, time_ratio: entry.ratio, wrong_pixels: entry.wrong,
+            profile, scenes: scenes.join('; '), method: entry.row, verdict: entry.verdict, time_ratio: entry.ratio, wrong_pixels: entry.wrong,
             wrong_percent: entry.pixels ? (100 * entry.wrong) / entry.pixels : 0, frontier: false,
         }));
     rows.sort((a, b) => a.time_ratio - b.time_ratio || a.wrong_percent - b.wrong_percent);
@@ -29,7 +30,7 @@ export function pathRows(cells, keep, profile, scene, storeOf) {
         const ratio = cells.ratio(cell);
         if (Number.isNaN(ratio) || !isDrawn(cells.get('verdict', cell))) continue;
         rows.push({
-            method: rowOf(cells, cell), store: storeOf(cells.get('method', cell)), frame: cells.get('frame', cell), time_ratio: ratio, size: cells.size(cell),
+            profile, scene, method: rowOf(cells, cell), store: storeOf(cells.get('method', cell)), frame: cells.get('frame', cell), time_ratio: ratio, size: cells.size(cell),
             cpu_ms: cells.get('cpu_ms', cell), unshadowed_ms: cells.get('unshadowed_ms', cell),
         });
     }
@@ -37,12 +38,16 @@ export function pathRows(cells, keep, profile, scene, storeOf) {
 }
 
 /// Rows of "passes per method" on one chip: the fewest and the most over scenes and frames.
-export function passRows(shown, profile) {
+export function passRows(shown, profile, scenes) {
     return shown.rows.map((row) => shown.entry(row, profile)).filter((entry) => entry && isDrawn(entry.verdict))
-        .flatMap((entry) => Object.entries(entry.passes).map(([kind, [fewest, most]]) => ({ method: entry.row, kind, fewest, most })));
+        .flatMap((entry) => Object.entries(entry.passes).map(([kind, [fewest, most]]) => ({ profile, scenes: scenes.join('; '), method: entry.row, kind, fewest, most })));
 }
 
 const timeAxis = 'time ratio';
+
+/// Where the count may live, in the order of their colours: a store has one colour, whatever is left out.
+const stores = ['stencil', 'alpha', 'screen', 'counter', 'depth-map', 'none', 'by frame'];
+const colourOfStore = { domain: stores };
 
 // What is marked stands out: the others fade.
 const isLit = 'length(lit) == 0 || indexof(lit, datum.method) >= 0';
@@ -64,7 +69,7 @@ const withNear = (label, wide) => ({ ...label, near: label.x <= label.left ? lab
 
 /// @param colours  of exact, edge, wrong
 export function accuracySpec(rows, colours) {
-    const x = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 24 }, axis: { format: '~r', tickCount: 6 } };
+    const x = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 24 }, axis: { format: '.3~r', tickCount: 6 } };
     const y = { field: 'wrong_percent', type: 'quantitative', title: 'wrong pixels, percent', scale: { type: 'symlog', constant: 0.01, nice: false, padding: 16 }, axis: { values: [0, 0.01, 0.1, 1, 10, 100], format: '~r' } };
     const tooltip = ['method', 'verdict', 'time_ratio', 'wrong_pixels', 'wrong_percent'].map((field) => ({ field }));
     const scale = { domain: ['exact', 'edge', 'wrong'] };
@@ -105,7 +110,7 @@ const dashes = [[1, 0], [6, 3], [2, 2], [8, 3, 2, 3]];
 
 export function pathSpec(rows, colours, width) {
     const frames = [...new Set(rows.map((row) => row.frame))], methods = [...new Set(rows.map((row) => row.method))];
-    const stores = [...new Set(rows.map((row) => row.store))];
+    const seen = new Set(rows.map((row) => row.store));
     const [first, last] = [frames[0], frames.at(-1)];
     // Room for the names at the right.
     const share = Math.min(0.68, (30 + Math.max(...methods.map(widthOf))) / Math.max(1, width - 60));
@@ -117,8 +122,8 @@ export function pathSpec(rows, colours, width) {
         field: 'frame', type: 'quantitative', title: 'frame', axis: { values: frames, labelOverlap: true, grid: false, format: 'd' },
         scale: { zero: false, nice: false, domain: [first - 0.3, last + 0.3 + ((last - first + 0.6) * share) / (1 - share)] },
     };
-    const y = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 10 }, axis: { format: '~r', tickCount: 6 } };
-    const color = { field: 'store', type: 'nominal', title: 'the count lives in', scale: { domain: stores }, legend: { orient: 'bottom', columns: Math.max(2, Math.floor((width - 60) / 105)), symbolType: 'stroke', symbolSize: 300 } };
+    const y = { field: 'time_ratio', type: 'quantitative', title: timeAxis, scale: { type: 'log', nice: false, padding: 10 }, axis: { format: '.3~r', tickCount: 6 } };
+    const color = { field: 'store', type: 'nominal', title: 'the count lives in', scale: colourOfStore, legend: { values: stores.filter((store) => seen.has(store)), orient: 'bottom', columns: Math.max(2, Math.floor((width - 60) / 105)), symbolType: 'stroke', symbolSize: 300 } };
     const detail = { field: 'method', type: 'nominal' };
     const tooltip = ['method', 'store', 'frame', 'time_ratio'].map((field) => ({ field }));
     return {

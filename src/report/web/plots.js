@@ -20,6 +20,7 @@ function pageConfig() {
         axis: { labelColor: muted, titleColor: ink, gridColor: line, domainColor: muted, tickColor: muted, titleFontWeight: 'normal', labelFontSize: 12, titleFontSize: 12 },
         legend: { labelColor: ink, titleColor: ink, labelFontSize: 12, symbolStrokeWidth: 2, titleFontWeight: 'normal' },
         text: { color: ink, fontSize: 12 },
+        title: { color: ink, font, fontSize: 12, fontWeight: 'normal', anchor: 'start', offset: 10 },
         line: { color: muted },
         rule: { color: muted },
         range: { category: [1, 2, 3, 4, 5, 6, 7, 8].map((i) => themeColour(`--series-${i}`)) },
@@ -56,9 +57,10 @@ function plot(id, title, hint, over) {
             lit = methods;
             view?.signal('lit', lit).runAsync();
         },
+        /// @param about     lines above the plot: of what it is, in its file too
         /// @param specOf    (rows, colours, width) to a specification
         /// @param labelsOf  (rows, scales and size) to rows of its labels
-        async show(newRows, specOf, isOnPaper, labelsOf) {
+        async show(newRows, about, specOf, isOnPaper, labelsOf) {
             rows = newRows, makeSvg = null;
             const mine = ++turn;
             fillRows();
@@ -72,7 +74,8 @@ function plot(id, title, hint, over) {
             if (mine !== turn) return;
             const width = isOnPaper ? paperWidth : Math.max(220, box.clientWidth - 8);
             const colours = ['exact', 'edge', 'wrong'].map((verdict) => themeColour(`--${verdict}`));
-            const drawn = await drawPlot(specOf(rows, colours, width), pageConfig(), box, width, labelsOf && ((scales) => labelsOf(rows, scales)));
+            const spec = { title: { text: about, limit: width }, ...specOf(rows, colours, width) };
+            const drawn = await drawPlot(spec, pageConfig(), box, width, labelsOf && ((scales) => labelsOf(rows, scales)));
             if (mine !== turn) return drawn.finalize();
             view = drawn.signal('lit', lit);
             for (const [event, isOver] of [['mouseover', true], ['mouseout', false]])
@@ -106,7 +109,7 @@ function methodMarks(light, change) {
     let known = [];
     roving(box, 'button');
     return {
-        node: h('div', {}, box, said),
+        node: h('div.plot-names', {}, box, said),
         /// What the pointer is over in a plot; null: nothing.
         point(method) {
             const entry = known.find(({ row }) => row === method);
@@ -168,11 +171,14 @@ export function plotSection(report, change) {
     const showMarks = () => marks.show(last.shown.rows.map((row) => last.shown.entry(row, chip.value)).filter((entry) => entry && isDrawn(entry.verdict)), last.mark);
     const draw = () => {
         if (!last) return;
-        const { shown, keep } = last;
+        const { shown, keep, scenes } = last;
         showMarks();
-        accuracy.show(accuracyRows(shown, chip.value), accuracySpec, onPaper, accuracyLabels);
-        path.show(pathRows(cells, keep, chip.value, scene.value, (method) => stores.get(method)), pathSpec, onPaper, pathLabels);
-        passes.show(passRows(shown, chip.value), passSpec, onPaper);
+        const name = run.profiles.find(({ id }) => id === chip.value)?.name;
+        const chipLine = name && name !== chip.value ? `${chip.value}, ${name}` : chip.value;
+        const all = [chipLine, scenes.length > 3 ? `${scenes.length} scenes` : `${scenes.length === 1 ? 'scene' : 'scenes'} ${scenes.join(', ')}`];
+        accuracy.show(accuracyRows(shown, chip.value, scenes), all, accuracySpec, onPaper, accuracyLabels);
+        path.show(pathRows(cells, keep, chip.value, scene.value, (method) => stores.get(method)), [chipLine, `scene ${scene.value}`], pathSpec, onPaper, pathLabels);
+        passes.show(passRows(shown, chip.value, scenes), all, passSpec, onPaper);
         showStates();
     };
     let width = 0;
@@ -201,7 +207,7 @@ export function plotSection(report, change) {
             const best = [...shown.profiles].sort((a, b) => drawn(b) - drawn(a))[0] ?? '';
             fillSelect(chip, shown.profiles, shown.profiles.includes(state.chip) ? state.chip : best);
             fillSelect(scene, scenes, scenes.includes(state.path) ? state.path : scenes[0]);
-            last = { shown, keep, mark: state.mark };
+            last = { shown, keep, scenes, mark: state.mark };
             draw();
         },
     };

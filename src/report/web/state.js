@@ -52,7 +52,8 @@ export function stateOf(hash) {
     for (const part of hash.replace(/^#/, '').split('&').filter(Boolean)) {
         const at = part.indexOf('=');
         const [name, value] = [part.slice(0, Math.max(0, at)), part.slice(at + 1)];
-        if (lists.includes(name)) state[name] = new Set(value.split(',').filter(Boolean).map(decode));
+        if (part === 'cell=') unknown.push(part);
+        else if (lists.includes(name)) state[name] = new Set(value.split(',').filter(Boolean).map(decode));
         else if (Object.hasOwn(words, name) || Object.hasOwn(views, name)) state[name] = decode(value);
         else unknown.push(decode(part));
     }

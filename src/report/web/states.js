@@ -1,5 +1,8 @@
 // The mask's states (Figures 2 and 5 of Roettger et al. 2002): values on a line, what leads from one to another as arcs.
 import { svg, themeColour } from './dom.js';
+import { widthOf } from './labels.js';
+
+const titleHigh = 24;  // pixels
 
 const number = (label) => parseFloat(String(label).match(/-?[\d.]+/)?.[0] ?? 'NaN');
 
@@ -16,16 +19,17 @@ export function stateGraph({ profile, method, nodes, edges }) {
     const colours = kinds.map((_, i) => themeColour(`--series-${(i % 8) + 1}`));
     // An arc is as high as it is wide, up to a limit; those to the right run above, those to the left below.
     const rise = (edge) => Math.min(150, 18 + 0.42 * Math.abs(place.get(edge.to) - place.get(edge.from)));
-    const above = Math.max(36, ...edges.filter((e) => place.get(e.to) >= place.get(e.from)).map(rise)) + 16;
+    const above = Math.max(36, ...edges.filter((e) => place.get(e.to) >= place.get(e.from)).map(rise)) + 16 + titleHigh;
     const below = Math.max(36, ...edges.filter((e) => place.get(e.to) < place.get(e.from)).map(rise)) + 16 + tall;
-    const width = side * 2 + gap * Math.max(0, order.length - 1), height = above + below + 16 + 22 * kinds.length;
+    const title = `${profile}, ${method}`;
+    const width = Math.max(260, widthOf(title) + 16, side * 2 + gap * Math.max(0, order.length - 1)), height = above + below + 16 + 22 * kinds.length;
     const ink = themeColour('--ink'), paper = themeColour('--raised'), muted = themeColour('--muted');
     const root = svg('svg', {
-        xmlns: 'http://www.w3.org/2000/svg', width: Math.max(width, 260), height, viewBox: `0 0 ${Math.max(width, 260)} ${height}`, role: 'img',
+        xmlns: 'http://www.w3.org/2000/svg', width, height, viewBox: `0 0 ${width} ${height}`, role: 'img',
         'font-family': 'sans-serif', 'font-size': 12,
         'aria-label': `States of the mask, ${method} on ${profile}: ${order.length} values, ${edges.length} steps`,
     });
-    root.append(svg('rect', { width: '100%', height: '100%', fill: paper }));
+    root.append(svg('rect', { width: '100%', height: '100%', fill: paper }), svg('text', { x: 8, y: 16, fill: ink }, title));
     const defs = svg('defs');
     kinds.forEach((_, i) => defs.append(svg('marker', { id: `tip-${i}`, viewBox: '0 0 8 8', refX: 7, refY: 4, markerWidth: 7, markerHeight: 7, orient: 'auto-start-reverse' },
         svg('path', { d: 'M0 0 8 4 0 8z', fill: colours[i] }))));

@@ -61,5 +61,5 @@ function faultsOf(run, cells) {
 export function verdictCounts(cells) {
     const counts = Object.fromEntries(verdicts.map((verdict) => [verdict, 0]));
     for (let cell = 0; cell < cells.count; ++cell) ++counts[cells.get('verdict', cell)];
-    return h('p.summary', {}, verdicts.filter((verdict) => counts[verdict]).map((verdict) => h(`span.badge.${verdict}`, {}, symbolOf(verdict), `${counted(counts[verdict])} ${verdict}`)));
+    return h('p.summary', {}, h('span.muted', {}, 'Cells:'), verdicts.filter((verdict) => counts[verdict]).map((verdict) => h(`span.badge.${verdict}`, {}, symbolOf(verdict), `${counted(counts[verdict])} ${verdict}`)));
 }

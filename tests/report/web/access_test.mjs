@@ -55,6 +55,30 @@ describe('report page, for all', { skip }, () => {
         assert.match(tab.url(), /48x36\/2/);
     });
 
+    test('keys of an opened cell from its heading: frames, and the pictures', { hash: '#cell=tnt/roettger-half/boxes/48x36/0' }, async (tab) => {
+        const frame = () => tab.locator('dialog p.muted').first().textContent();
+        const view = tab.locator('.pictured .viewer').first();
+        await view.waitFor();
+        const pair = () => view.locator('select').evaluateAll((all) => all.map((node) => node.value));
+        const before = await pair(), scale = Number(await view.getAttribute('data-scale'));
+        await tab.keyboard.press('s');
+        assert.deepEqual(await pair(), before.reverse());
+        await tab.keyboard.press('+');
+        assert.equal(Number(await view.getAttribute('data-scale')), 2 * scale);
+        await tab.keyboard.press('0');
+        assert.equal(Number(await view.getAttribute('data-scale')), scale);
+        await tab.keyboard.press('b');
+        assert.equal(await view.locator('[data-do=blink]').getAttribute('aria-pressed'), 'true');
+        await tab.keyboard.press('ArrowLeft');
+        assert.match(await frame(), /^boxes, frame 0/);
+        await tab.keyboard.press('ArrowRight');
+        assert.match(await frame(), /^boxes, frame 1/);
+        await tab.keyboard.press('ArrowRight');
+        await tab.keyboard.press('ArrowLeft');
+        assert.match(await frame(), /^boxes, frame 1/);
+        assert.match(await focused(tab), /roettger-half on NVIDIA/);
+    });
+
     test('what takes the focus shows it', {}, async (tab) => {
         for (let i = 0; i < 25; ++i) {
             await tab.keyboard.press('Tab');
@@ -68,7 +92,7 @@ describe('report page, for all', { skip }, () => {
 
     test('a filter tells a reader of the screen what is left', {}, async (tab) => {
         await tab.locator('[data-verdict=edge]').click();
-        assert.equal(await tab.locator('#said').textContent(), '1 method on 5 chips: 30 cells of 240');
+        assert.equal(await tab.locator('#said').textContent(), '1 method on 5 chips: 30 cells of 240, in entries whose worst verdict is edge');
         assert.equal(await tab.locator('#said').getAttribute('aria-live'), 'polite');
     });
 
@@ -134,6 +158,34 @@ describe('report page, for all', { skip }, () => {
             assert.deepEqual((await faint(tab)).faint, []);
         });
     }
+
+    for (const scheme of ['light', 'dark'])
+        test(`a pressed filter keeps the marks of its symbol, ${scheme}`, { scheme, hash: '#verdict=wrong,failed' }, async (tab) => {
+            for (const verdict of ['wrong', 'failed']) {
+                // In the middle of the cross, and beside it; on the stem of the mark, and beside it.
+                const [mark, ground] = verdict === 'wrong' ? [[8, 8], [8, 2.5]] : [[8, 8], [5.8, 13]];
+                const picture = await tab.locator(`[data-verdict=${verdict}] svg`).screenshot();
+                const lights = await tab.evaluate(async ([bytes, places]) => {
+                    const bitmap = await createImageBitmap(new Blob([Uint8Array.from(atob(bytes), (c) => c.charCodeAt(0))]));
+                    const pen = Object.assign(document.createElement('canvas'), { width: bitmap.width, height: bitmap.height }).getContext('2d', { willReadFrequently: true });
+                    pen.drawImage(bitmap, 0, 0);
+                    return places.map(([x, y]) => pen.getImageData((x * bitmap.width) / 16, (y * bitmap.height) / 16, 1, 1).data[1]);
+                }, [picture.toString('base64'), [mark, ground]]);
+                assert.ok(Math.abs(lights[0] - lights[1]) > 60, `${verdict}: ${lights}`);
+            }
+        });
+
+    test('with one column the names of the lines take no more than they need', { hash: '#profile=tnt' }, async (tab) => {
+        const [name, entry] = await tab.locator('.answer tbody tr').first().evaluate((row) => [...row.cells].map((cell) => cell.offsetWidth));
+        assert.ok(name < 250 && entry > 800, `${name} ${entry}`);
+    });
+
+    for (const width of [1280, 3840])
+        test(`the table is as wide as its box at ${width} pixels, and cuts nothing that has room`, { width }, async (tab) => {
+            const { box, table } = await tab.evaluate(() => ({ box: document.querySelector('.answer-box').clientWidth, table: document.querySelector('.answer').offsetWidth }));
+            assert.equal(table, box);
+            assert.deepEqual(await tab.locator('.what').evaluateAll((all) => all.filter((node) => node.scrollHeight > node.clientHeight + 2).map((node) => node.textContent)), []);
+        });
 
     test('the theme can be switched', { scheme: 'light' }, async (tab) => {
         const ground = () => tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
@@ -220,7 +272,7 @@ describe('report page, for all', { skip }, () => {
         await tab.locator('.sheets').waitFor();
         await tab.waitForFunction(() => document.querySelectorAll('.plot-box > svg[width="470"], .plot-box > * svg[width="470"]').length === 3);
         for (const control of ['.filters', '#theme', '.tools', '.method-marks', '.answer-box', '.plot button']) assert.equal(await tab.locator(control).first().isVisible(), false, control);
-        const cut = await tab.evaluate(() => [...document.querySelectorAll('.sheets .answer, .sheets .entry, .sheets .head, .sheets .what, .plot-box svg, .graph svg')].filter((node) => {
+        const cut = await tab.evaluate(() => [...document.querySelectorAll('.sheets .answer, .sheets .entry, .sheets th, .sheets .what, .plot-box svg, .graph svg')].filter((node) => {
             const box = node.getBoundingClientRect();
             return box.width < 1 || box.right > innerWidth + 1 || (node.tagName !== 'svg' && node.scrollWidth > node.clientWidth + 1);
         }).map((node) => `${node.tagName} ${node.textContent.slice(0, 40)}`));
@@ -228,12 +280,23 @@ describe('report page, for all', { skip }, () => {
         assert.equal(await tab.locator('.sheets .entry').count(), 41 * 21);
         assert.ok(await tab.locator('.sheets .entry').evaluateAll((nodes) => nodes.every((node) => parseFloat(getComputedStyle(node).fontSize) >= 8)));
         assert.ok(await tab.locator('.plot-box svg').evaluateAll((all) => all.length === 4 && all.every((node) => node.getBoundingClientRect().height > 100)));
+        // A printer leaves out of a repeated head what is placed in another way, and buttons.
+        assert.deepEqual(await tab.locator('.sheets thead :is(th, .head)').evaluateAll((nodes) => [...new Set(nodes.map((node) => getComputedStyle(node).display === 'contents' || getComputedStyle(node).position))]), ['static', true]);
+        assert.deepEqual(await tab.locator('.section-head').evaluateAll((nodes) => nodes.map((node) => getComputedStyle(node).breakAfter)), ['avoid', 'avoid']);
         // The paper is white, whatever the theme.
+        assert.equal(await tab.evaluate(() => getComputedStyle(document.documentElement).backgroundColor), 'rgb(255, 255, 255)');
         assert.equal(await tab.locator('.result').evaluate((node) => getComputedStyle(node).color), 'rgb(30, 35, 39)');
         await tab.emulateMedia({ media: 'screen' });
         await tab.locator('.answer-box').waitFor();
         assert.equal(await tab.locator('.sheets').count(), 0);
         assert.equal(await tab.evaluate(() => document.documentElement.dataset.theme ?? 'none'), 'none');
+    });
+
+    test('on paper: what the filters leave out is said', { ...paper, hash: '#verdict=wrong&text=clamps&sort=tnt:up&figure=ratio' }, async (tab) => {
+        assert.equal(await tab.locator('.only').isVisible(), false);
+        await tab.emulateMedia({ media: 'print' });
+        assert.equal(await tab.locator('.only').textContent(), 'Only: verdict wrong; words clamps; sorted by tnt, time ratio, best first.');
+        assert.ok(await tab.locator('.only').isVisible());
     });
 
     test('on paper: plots that were put off are drawn before the printer begins', { plots: true }, async (tab) => {

@@ -7,6 +7,7 @@ const hash = (tab) => new URL(tab.url()).hash;
 const hashIs = (tab, wanted) => tab.waitForURL((url) => url.hash === wanted);
 const names = (tab) => tab.locator('.answer tbody th .name').allTextContents();
 const problem = (tab) => tab.locator('#problem').textContent();
+const problemOfCell = (tab) => tab.locator('dialog .problem');
 const cell = '#cell=tnt/roettger-half/boxes/48x36/0';
 
 describe('the address of the report', { skip }, () => {
@@ -111,6 +112,7 @@ describe('the address of the report', { skip }, () => {
         ['#verdict=foo&method=carmack', /verdict=foo/, ['carmack']],
         ['#sort=voodoo9:up&method=carmack', /sort=voodoo9:up: the table has no such column/, ['carmack']],
         ['#shade=black&method=carmack', /\u201cshade=black\u201d/, ['carmack']],
+        ['#cell=&method=carmack', /\u201ccell=\u201d/, ['carmack']],
         ['#changed=only&method=carmack', /changed=only: this page compares no runs/, ['carmack']],
     ])
         test(`the address ${what} is named as wrong, and its rest is used`, { hash: what }, async (tab) => {
@@ -122,10 +124,13 @@ describe('the address of the report', { skip }, () => {
             assert.doesNotMatch(hash(tab), /nonsense|foo|voodoo9|shade|changed/);
         });
 
-    for (const [what, named] of [['pair=mask,none', /two of image, mask/], ['pixel=99,1', /48\u00d736/], ['pass=77', /from 1 to 6, 6 of them/], ['zoom=a', /up to 128/], ['buffer=alpha', /colour, stencil/]])
+    for (const [what, named] of [['pair=mask,none', /two of image, mask/], ['pixel=99,1', /48\u00d736/], ['pass=77', /from 1 to 6, 6 of them/], ['zoom=a', /up to 128/], ['buffer=alpha', /colour, stencil/], ['left=foo', /\u201cleft=foo\u201d/]])
         test(`of an opened cell ${what} is named as wrong`, { hash: `${cell}&${what}` }, async (tab) => {
             await tab.locator('.strip .viewer').waitFor();
             assert.match(await problem(tab), named);
+            // The cell lies over the page.
+            assert.match(await problemOfCell(tab).textContent(), named);
+            assert.ok(await problemOfCell(tab).isVisible());
             assert.equal(await tab.locator('.strip').getAttribute('data-pass'), '1');
         });
 

@@ -5,6 +5,7 @@ import { exclusiveOr, undoDifferences } from '../../../src/report/web/decode.js'
 import { mendView, readAddress } from '../../../src/report/web/address.js';
 import { changeKinds } from '../../../src/report/web/compare.js';
 import { changeWords, differences } from '../../../src/report/web/change_words.js';
+import { filterWords } from '../../../src/report/web/filter_words.js';
 import { placeLabels, spreadLabels, widthOf } from '../../../src/report/web/labels.js';
 import { slices } from '../../../src/report/web/paper.js';
 import { accuracyRows, passRows } from '../../../src/report/web/plot_specs.js';
@@ -12,7 +13,7 @@ import { Cells, median, nearestMate, table, verdicts } from '../../../src/report
 import { csvOf } from '../../../src/report/web/save.js';
 import { hashOf, initialState, keeper, stateOf } from '../../../src/report/web/state.js';
 import { sentenceOf, sortedLines, tableRows } from '../../../src/report/web/table.js';
-import { numberText, planCommand, renderCommand } from '../../../src/report/web/words.js';
+import { numberText, planCommand, renderCommand, runCommand } from '../../../src/report/web/words.js';
 import { makeRun } from './fixture.mjs';
 
 const { run } = makeRun();
@@ -22,6 +23,22 @@ describe('report modules', () => {
     it('rows of differences and exclusive-or come back', () => {
         assert.deepEqual([...undoDifferences(Uint8Array.from([250, 10, 255, 1, 0, 2]), 3)], [250, 4, 3, 1, 1, 3]);
         assert.deepEqual([...exclusiveOr(Uint8Array.from([1, 255]), Uint8Array.from([3, 15]))], [2, 240]);
+    });
+
+    it('filters and order in words', () => {
+        const words = (news, changedOnly = false) => filterWords({ ...initialState(), ...news }, changedOnly);
+        assert.equal(words({}), '');
+        assert.equal(words({ sort: ':down' }), 'Sorted by name, last first.');
+        assert.equal(words({ profile: new Set(['tnt', 'ps2']), frame: new Set(['1']), verdict: new Set(['wrong', 'edge']), text: ' max ', sort: 'tnt:down' }, true),
+            'Only: what changed since the old run; chips tnt, ps2; frame 1; verdict wrong or edge; words max; sorted by tnt, verdict, worst first.');
+        assert.equal(words({ method: new Set(), scene: new Set('abcdefghi') }), 'Only: no methods; 9 scenes.');
+    });
+
+    it('the command of a run is quoted for the shell', () => {
+        assert.equal(runCommand('gnomon matrix'), 'gnomon matrix');
+        assert.equal(runCommand('gnomon matrix boxes,knot --profile tnt --size 320x240'), 'gnomon matrix boxes,knot --profile tnt --size 320x240');
+        assert.equal(runCommand("gnomon matrix my scene.toml,it's.toml --profile a b.toml --dither on"), "gnomon matrix 'my scene.toml,it'\\''s.toml' --profile 'a b.toml' --dither on");
+        assert.equal(runCommand('gnomon matrix --method carmack --light 1,2,3'), 'gnomon matrix --method carmack --light 1,2,3');
     });
 
     it('the address holds the whole state', () => {
@@ -127,8 +144,8 @@ describe('report modules', () => {
         assert.match(sentenceOf({ ...entry, verdict: 'exact' }), /, 1 to 13 scene passes, 4 rectangles/);
         const [row] = tableRows({ all: () => [entry] });
         assert.deepEqual([row.scene_passes_min, row.scene_passes_max, row.rectangles_min, row.rectangles_max], [1, 13, 4, 4]);
-        const rows = passRows({ rows: ['m'], entry: () => ({ ...entry, verdict: 'exact' }) }, 'p');
-        assert.deepEqual(rows[0], { method: 'm', kind: 'scene', fewest: 1, most: 13 });
+        const rows = passRows({ rows: ['m'], entry: () => ({ ...entry, verdict: 'exact' }) }, 'p', ['a', 'b']);
+        assert.deepEqual(rows[0], { profile: 'p', scenes: 'a; b', method: 'm', kind: 'scene', fewest: 1, most: 13 });
     });
 
     it('of what was refused everywhere the table as CSV has no figures', () => {
@@ -166,7 +183,7 @@ describe('report modules', () => {
     it('on the frontier nothing is both faster and more exact', () => {
         const all = table(cells, () => true).all();
         const shown = { rows: run.methods.map((m) => m.id), entry: (row, profile) => all.find((e) => e.row === row && e.profile === profile) };
-        const rows = accuracyRows(shown, 'ideal');
+        const rows = accuracyRows(shown, 'ideal', ['boxes']);
         assert.ok(rows.length > 5);
         for (const row of rows) {
             const beaten = rows.some((other) => other !== row && other.time_ratio <= row.time_ratio && other.wrong_percent <= row.wrong_percent && (other.time_ratio < row.time_ratio || other.wrong_percent < row.wrong_percent));

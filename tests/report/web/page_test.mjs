@@ -132,6 +132,21 @@ describe('report page', { skip }, () => {
         assert.equal(await tab.locator('#problem').textContent(), 'The run has no cell tnt/none/boxes/1x1/0.');
     });
 
+    test('says that a cell of the address stands only in the old run', { address: comparedReport, hash: '#cell=tnt/gone/boxes/48x36/0' }, async (tab) => {
+        assert.equal(await tab.locator('#problem').textContent(), 'The cell tnt/gone/boxes/48x36/0 stands only in the old run, where it was exact: the new run has none of that name.');
+    });
+
+    const otherCommand = () => {
+        const made = makeRun({ withCompare: true });
+        made.run.compare.old = { command: 'gnomon matrix boxes --profile my chip', program: 'gnomon' };
+        return reportFile('other.html', made);
+    };
+    for (const [address, words] of [[comparedReport, 'The old run (gnomon 0.0.9) and the new one are both of gnomon matrix boxes.'],
+        [otherCommand, "From the old run, gnomon matrix boxes --profile 'my chip', to the new one, gnomon matrix boxes."]])
+        test(`names what is known of two runs: ${words}`, { address }, async (tab) => {
+            assert.equal(await tab.locator('.compare > p').textContent(), words);
+        });
+
     test('names what refused a cell, with its source', { hash: '#cell=voodoo2/heidmann/boxes/48x36/0' }, async (tab) => {
         assert.match(await tab.locator('dialog .said table').textContent(), /stencilM-TDFX: Napalm only.*destination alpha beside depthMAME/);
         assert.equal(await tab.locator('dialog .viewer').count(), 0);
@@ -187,15 +202,17 @@ describe('report page', { skip }, () => {
             const svg = await download(tab, () => tab.locator(`#plot-${id} [data-do=svg]`).click());
             assert.equal(svg.name, `gnomon-${id}.svg`);
             assert.match(svg.text, /<svg[^]*<\/svg>/);
+            const named = { accuracy: ['ideal, No limits', 'scenes boxes, hard/eye &amp; light'], path: ['ideal, No limits', 'scene boxes'], passes: ['ideal, No limits', 'scenes boxes'], states: ['voodoo2, roettger-screen'] }[id];
+            for (const words of named) assert.ok(svg.text.includes(words), `${id} names ${words}`);
             assert.ok(await tab.evaluate((text) => !new DOMParser().parseFromString(text, 'image/svg+xml').querySelector('parsererror'), svg.text));
         }
         await tab.locator('#plot-chip').selectOption('tnt');
         await tab.waitForFunction(() => document.querySelector('#plot-accuracy').dataset.drawn === '6');
         const { text } = await download(tab, () => tab.locator('#plot-accuracy [data-do=csv]').click());
         const lines = text.trim().split('\r\n');
-        assert.equal(lines[0], 'method,verdict,time_ratio,wrong_pixels,wrong_percent,frontier');
+        assert.equal(lines[0], 'profile,scenes,method,verdict,time_ratio,wrong_pixels,wrong_percent,frontier');
         assert.equal(lines.length, 7);
-        assert.equal(lines.filter((line) => line.startsWith('roettger-half,edge,')).length, 1);
+        assert.equal(lines.filter((line) => line.startsWith('tnt,boxes; hard/eye & light,roettger-half,edge,')).length, 1);
         const table = await download(tab, () => tab.locator('#table-csv').click());
         assert.equal(table.text.trim().split('\r\n').length, 1 + 40);
         assert.match(table.text, /tnt,roettger-half,edge,false,6,0,2,2,24,24,3,3,0,0,72,0,/);

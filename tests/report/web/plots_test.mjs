@@ -56,10 +56,18 @@ describe('the plots of the report', { skip }, () => {
         assert.equal(await tab.locator('.method-marks [aria-pressed=true]').count(), 0);
     });
 
+    test('a store keeps its colour, whatever the filters leave', { plots: true }, async (tab) => {
+        const colour = () => tab.locator('#plot-path svg .mark-text.role-mark text', { hasText: /^williams$/ }).getAttribute('fill');
+        const before = await colour();
+        await tab.locator('#text').fill('depth-map');
+        await tab.waitForFunction(() => document.querySelector('#plot-path').dataset.drawn === '3');
+        assert.equal(await colour(), before);
+    });
+
     test('the passes are the most of all frames, with the fewest beside them', { plots: true }, async (tab) => {
         await tab.locator('#plot-passes summary').click();
         const row = tab.locator('#plot-passes tr', { hasText: 'heidmann' }).first();
-        assert.deepEqual(await row.locator('td').allTextContents(), ['heidmann', 'scene', '1', '13']);
+        assert.deepEqual(await row.locator('td').allTextContents(), ['ideal', 'boxes; hard/eye & light', 'heidmann', 'scene', '1', '13']);
         assert.match(await tab.locator('#plot-passes figcaption').textContent(), /the most over the scenes and frames/);
     });
 });
