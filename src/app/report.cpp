@@ -115,7 +115,8 @@ int run(const Options& options) {
     if (options.output.isWanted() || !compares) {
         Report report = reportOf(last.cells, sourcesOf(last, options), options.jobs, first.cells);
         const auto faults = faultsOf(report.pictures);
-        sayFaults(faults, [&](std::size_t i) { return last.error(i, last.cells[i].id()).what(); });
+        sayFaults(faults,
+                  [&](std::size_t i) { return std::string(last.error(i, last.cells[i].id()).what()); });
         hasFaults = !faults.empty();
         if (!compares && page.format == Format::Json) fmt::print("{}\n", wordsJson(report).dump(1));
         if (options.output.isWanted()) options.output.write(std::move(report));
