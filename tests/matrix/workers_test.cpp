@@ -167,8 +167,8 @@ TEST(RunSteps, LosesOnlyTheStepThatEatsMemory) {
 // worker waits there, as one that goes on would be through before anybody has looked.
 TEST(RunSteps, HoldsNoStepToWhatEarlierOnesHaveKept) {
     const auto hoarder = [kept = std::size_t(0)](std::size_t task, std::size_t step) mutable {
-        eat(400);
-        kept += 400;
+        eat(350);
+        kept += 350;
         while (kept > kMegabytes) pause();
         return named(task, step);
     };
