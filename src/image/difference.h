@@ -6,7 +6,7 @@
 
 namespace gnomon {
 
-/// Mean squared difference of all channels of two pictures, of values 0..255, by OpenImageIO.
+/// Mean squared difference of all channels of two pictures, of values 0..255.
 /// @param leftOut  by pixel: counts as the same; empty: none is left out
 /// @pre the same width, height and channels
 double meanSquaredDifference(const Image& picture, const Image& reference,

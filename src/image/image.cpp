@@ -1,8 +1,9 @@
 #include "image/image.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
+#include <png.h>
 
+#include <array>
 #include <cassert>
 #include <stdexcept>
 #include <string>
@@ -12,24 +13,33 @@
 namespace gnomon {
 namespace {
 
-// Else OpenImageIO multiplies colours by alpha when it reads, and divides when it writes.
-constexpr const char* kKeepColours = "oiio:UnassociatedAlpha";
+/// By the number of channels, from 1.
+constexpr std::array<png_uint_32, 4> kFormats{PNG_FORMAT_GRAY, PNG_FORMAT_GA, PNG_FORMAT_RGB,
+                                              PNG_FORMAT_RGBA};
 
-[[noreturn]] void fail(const std::filesystem::path& file, std::string what) {
-    while (!what.empty() && (what.back() == '\n' || what.back() == ' ')) what.pop_back();
-    for (char& c : what)
-        if (c == '\n' || c == '\r') c = ' ';
-    throw std::runtime_error(fmt::format("{}: {}", file.string(), what.empty() ? "unknown error" : what));
-}
+/// What libpng holds for a picture while it is read or written.
+class Png {
+  public:
+    Png() { m_png.version = PNG_IMAGE_VERSION; }
+    ~Png() { png_image_free(&m_png); }
+    Png(const Png&) = delete;
+    Png& operator=(const Png&) = delete;
+
+    png_image* operator->() { return &m_png; }
+    png_image* get() { return &m_png; }
+
+  private:
+    png_image m_png{};
+};
 
 void writeNow(const std::filesystem::path& file, const Image& image) {
-    const auto output = OIIO::ImageOutput::create(file.string());
-    if (!output) throw std::runtime_error(OIIO::geterror());
-    OIIO::ImageSpec spec(image.width, image.height, image.channels, OIIO::TypeDesc::UINT8);
-    spec.attribute(kKeepColours, 1);
-    const bool written = output->open(file.string(), spec) &&
-                         output->write_image(OIIO::TypeDesc::UINT8, image.data.data()) && output->close();
-    if (!written) throw std::runtime_error(output->geterror());
+    if (file.extension() != ".png") throw std::runtime_error("is no .png");
+    Png png;
+    png->width = png_uint_32(image.width);
+    png->height = png_uint_32(image.height);
+    png->format = kFormats.at(std::size_t(image.channels) - 1);
+    if (!png_image_write_to_file(png.get(), file.c_str(), 0, image.data.data(), 0, nullptr))
+        throw std::runtime_error(png->message);
 }
 
 }  // namespace
@@ -41,15 +51,17 @@ void writeImage(const std::filesystem::path& file, const Image& image) {
 }
 
 Image readImage(const std::filesystem::path& file) {
-    OIIO::ImageSpec config;
-    config.attribute(kKeepColours, 1);
-    const auto input = OIIO::ImageInput::open(file.string(), &config);
-    if (!input) fail(file, OIIO::geterror());
-    const OIIO::ImageSpec& spec = input->spec();
-    Image image{.width = spec.width, .height = spec.height, .channels = spec.nchannels};
-    image.data.resize(std::size_t(spec.width) * spec.height * spec.nchannels);
-    if (!input->read_image(0, 0, 0, spec.nchannels, OIIO::TypeDesc::UINT8, image.data.data()))
-        fail(file, input->geterror());
+    Png png;
+    const auto check = [&](int done) {
+        if (!done) throw std::runtime_error(fmt::format("{}: {}", file.string(), png->message));
+    };
+    check(png_image_begin_read_from_file(png.get(), file.c_str()));
+    png->format &= PNG_FORMAT_FLAG_COLOR | PNG_FORMAT_FLAG_ALPHA;
+    Image image{.width = int(png->width),
+                .height = int(png->height),
+                .channels = int(PNG_IMAGE_SAMPLE_CHANNELS(png->format))};
+    image.data.resize(PNG_IMAGE_SIZE(*png.get()));
+    check(png_image_finish_read(png.get(), nullptr, image.data.data(), 0, nullptr));
     return image;
 }
 

@@ -15,13 +15,14 @@ struct Image {
     bool operator==(const Image&) const = default;
 };
 
-/// Writes @p image in the format that the extension names. The file appears whole or not at all: it is
-/// written beside its place under another name.
-/// @pre data has width * height * channels bytes, none of them 0
+/// Writes @p image as a PNG, whose name must end so. The file appears whole or not at all: it is written
+/// beside its place under another name.
+/// @pre data has width * height * channels bytes, none of them 0; 1 to 4 channels: grey, grey and alpha,
+/// colour, colour and alpha
 /// @throws std::runtime_error "file: what"
 void writeImage(const std::filesystem::path& file, const Image& image);
 
-/// Reads the first image of a file, as 8 bits per channel.
+/// Reads a PNG, as 8 bits per channel.
 /// @throws std::runtime_error "file: what"
 Image readImage(const std::filesystem::path& file);
 
