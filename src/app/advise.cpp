@@ -11,7 +11,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct AdviseOptions {
     ProfileOption profiles{};
     SceneOption scenes{};
     SizeOption sizes{};
@@ -21,7 +21,7 @@ struct Options {
     int frame = 0;
 };
 
-int run(const Options& options) {
+int run(const AdviseOptions& options) {
     const Page page = options.format.value();
     const Profile profile = theOnly("--profile", options.profiles.load({"ideal"}));
     const Size size = theOnly("--size", options.sizes.value());
@@ -44,7 +44,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addAdvise(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<AdviseOptions>();
     CLI::App* command = app.add_subcommand(
         "advise",
         "For a scene and a chip: the methods that are exact, cheapest first; what the next cheaper one gets\n"

@@ -8,7 +8,7 @@
 #include "app/commands.h"
 #include "app/matrix_options.h"
 #include "app/output_file.h"
-#include "app/report_file.h"
+#include "app/run_command.h"
 #include "app/terminal.h"
 #include "image/whole_file.h"
 #include "report/check_report.h"
@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kDiffers = 1;
 
-struct Options {
+struct CheckOptions {
     MatrixOptions choice{};
     std::vector<CLI::Option*> choiceFlags{};
     WorkerOptions workers{};
@@ -29,11 +29,11 @@ struct Options {
 };
 
 std::string usualFile() {
-    return (dataFolder("scenes").parent_path() / "tests/expected/matrix.txt").string();
+    return (dataFolder("tests") / "expected/matrix.txt").string();
 }
 
 /// What the file says; nothing of a file that --update is to make.
-Expectations expectationsOf(const Options& options) {
+Expectations expectationsOf(const CheckOptions& options) {
     const std::string file = options.file.empty() ? usualFile() : options.file;
     std::error_code none;
     if (options.update && !std::filesystem::exists(file, none)) return {.file = file};
@@ -64,7 +64,7 @@ std::vector<std::vector<Cell>> runsOf(const MatrixRequest& request, int repeat) 
     return runs;
 }
 
-int run(const Options& options) {
+int run(const CheckOptions& options) {
     checkOutputFile(options.junit, {".xml"}, "a JUnit file's name ends in .xml");
     const Expectations expectations = expectationsOf(options);
     const ChoiceWords whole = choiceIn(expectations);
@@ -96,7 +96,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addCheck(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CheckOptions>();
     CLI::App* command = app.add_subcommand(
         "check",
         "Holds the matrix to a file of what is known: a cell that stands there must come out as its line\n"

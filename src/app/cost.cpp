@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct CostOptions {
     SceneOption scenes{};
     ProfileOption profiles{};
     MethodOption methods{};
@@ -27,7 +27,7 @@ struct Options {
     int repeats = 0;  ///< 0: as the number of frames calls for
 };
 
-std::vector<CostSetting> settingsOf(const Options& options, const Profile& profile) {
+std::vector<CostSetting> settingsOf(const CostOptions& options, const Profile& profile) {
     const auto fidelities = options.fidelity.value({profile});
     const auto effects = options.effects.value();
     if (options.methods.isEmpty()) {
@@ -42,7 +42,7 @@ std::vector<CostSetting> settingsOf(const Options& options, const Profile& profi
     return costSettings(profile, methods, fidelities, effects);
 }
 
-int run(const Options& options) {
+int run(const CostOptions& options) {
     const Page page = options.format.value();
     checkPlotFile(options.output);
     const Size size = theOnly("--size", options.sizes.value());
@@ -78,7 +78,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addCost(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<CostOptions>();
     CLI::App* command = app.add_subcommand(
         "cost",
         "What accuracy costs: each way to draw a scene's shadows, with its wrong pixels and its time as a\n"

@@ -9,7 +9,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct HelpOptions {
     std::string command{};
     bool isManual = false;
 };
@@ -17,7 +17,7 @@ struct Options {
 }  // namespace
 
 void addHelp(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<HelpOptions>();
     CLI::App* command = app.add_subcommand("help", "The help of a command, or the manual page");
     command->add_option("command", options->command, "name of a command (default: the list of all)");
     command->add_flag("--man", options->isManual, "the manual page of all commands, as man(1) reads it");

@@ -12,13 +12,13 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct ListingsOptions {
     std::string id{};
     FormatOption format{};
 };
 
 CLI::App* addListing(CLI::App& app, const std::string& name, const std::string& help,
-                     const std::shared_ptr<Options>& options) {
+                     const std::shared_ptr<ListingsOptions>& options) {
     CLI::App* command = app.add_subcommand(name, help);
     command->add_option("id", options->id, "one of them, with all that is known");
     options->format.addTo(*command);
@@ -28,7 +28,7 @@ CLI::App* addListing(CLI::App& app, const std::string& name, const std::string& 
 }  // namespace
 
 void addProfiles(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ListingsOptions>();
     addListing(app, "profiles", "The chips, or all facts of one with their sources", options)
         ->callback([options, &status] {
             ProfileOption choice;
@@ -42,7 +42,7 @@ void addProfiles(CLI::App& app, int& status) {
 }
 
 void addMethods(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ListingsOptions>();
     addListing(app, "methods", "The named methods with their papers", options)->callback([options, &status] {
         std::vector<NamedMethod> methods = namedMethods();
         if (!options->id.empty()) {
@@ -62,7 +62,7 @@ void addMethods(CLI::App& app, int& status) {
 }
 
 void addScenes(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ListingsOptions>();
     addListing(app, "scenes", "The scenes and hard cases that come with gnomon, or one scene or mesh file",
                options)
         ->callback([options, &status] {

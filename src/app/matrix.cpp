@@ -12,14 +12,14 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct MatrixCommandOptions {
     MatrixOptions choice{};
     WorkerOptions workers{};
     FormatOption format{};
     ReportFile report{};
 };
 
-int run(const Options& options) {
+int run(const MatrixCommandOptions& options) {
     options.report.check();
     MatrixRequest request = options.choice.load();
     options.workers.applyTo(request);
@@ -46,7 +46,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addMatrix(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MatrixCommandOptions>();
     CLI::App* command = app.add_subcommand(
         "matrix",
         "The main job: draws each scene with each method on each chip, compares every pixel with ray-traced\n"

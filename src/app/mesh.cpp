@@ -12,13 +12,13 @@ namespace {
 
 constexpr int kMostRingLights = 10'000;
 
-struct Options {
+struct MeshOptions {
     SceneOption scenes{};
     int ringLights = 16;
     FormatOption format{};
 };
 
-int run(Options options) {
+int run(MeshOptions options) {
     options.scenes.ground = "no";
     options.scenes.lights = "all";
     std::vector<MeshFacts> meshes;
@@ -36,7 +36,7 @@ int run(Options options) {
 }  // namespace
 
 void addMesh(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<MeshOptions>();
     CLI::App* command = app.add_subcommand("mesh", "What a mesh's topology means for shadow volumes");
     command->add_option("scene,--scene", options->scenes.ids, "mesh file, scene file, scene id")
         ->delimiter(',')

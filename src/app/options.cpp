@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "app/terminal.h"
+#include "app/word_values.h"
 #include "matrix/hard_run.h"
 #include "matrix/probe.h"
-#include "method/from_words.h"
 #include "profile/words.h"
 
 namespace gnomon {
@@ -18,33 +18,6 @@ namespace {
 
 constexpr int kLargestSide = 8192;
 constexpr int kMostLights = 8;  ///< unless the user asks for more
-
-/// The value of an enumeration that is called @p word.
-template <class Enum>
-Enum wordOf(const std::string& flag, const std::string& word, int count) {
-    if (const auto value = fromWord<Enum>(word, count)) return *value;
-    std::vector<std::string> known;
-    for (int i = 0; i < count; ++i) known.push_back(name(Enum(i)));
-    throw UsageError(fmt::format("{}: no such value '{}' (known: {})", flag, word, fmt::join(known, ", ")));
-}
-
-template <class Enum>
-std::vector<Enum> wordsOf(const std::string& flag, const std::vector<std::string>& words, int count) {
-    std::vector<Enum> values;
-    for (const std::string& word : words) {
-        const Enum value = wordOf<Enum>(flag, word, count);
-        if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-    }
-    return values;
-}
-
-/// The words of an enumeration, for help texts.
-template <class Enum>
-std::string listOf(int count) {
-    std::vector<std::string> known;
-    for (int i = 0; i < count; ++i) known.push_back(name(Enum(i)));
-    return fmt::format("{}", fmt::join(known, ", "));
-}
 
 int wholeNumber(const std::string& flag, const std::string& word) {
     int value = 0;

@@ -15,7 +15,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct PlanOptions {
     ProfileOption profiles{};
     SceneOption scenes{};
     MethodOption methods{};
@@ -30,7 +30,7 @@ struct Options {
 };
 
 /// What is to be listed of one method.
-PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Options& options,
+PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const PlanOptions& options,
                   const Axes& asked) {
     const auto [width, height] = size;
     const int frame = options.frame;
@@ -66,7 +66,7 @@ PlanSheet sheetOf(Lab& lab, const Profile& profile, const Size& size, const Opti
 
 /// The frame as it is drawn by @p axes, and the mask beside it; nothing where the chip can't draw it.
 std::string pictureText(Lab& lab, const Profile& profile, const Axes& axes, const Size& size,
-                        const Options& options) {
+                        const PlanOptions& options) {
     Pictures pictures;
     const Cell cell = lab.run(profile, axes, size.width, size.height, options.frame, &pictures);
     if (cell.verdict == Verdict::Failed)
@@ -76,7 +76,7 @@ std::string pictureText(Lab& lab, const Profile& profile, const Axes& axes, cons
     return options.show.text(beside(pictures.image, pictures.mask, kGap)) + "\n";
 }
 
-int run(const Options& options) {
+int run(const PlanOptions& options) {
     const Page page = options.format.value();
     options.show.check(page);
     const std::optional<Effects> effects = options.effects.value();
@@ -119,7 +119,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addPlan(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<PlanOptions>();
     CLI::App* command = app.add_subcommand(
         "plan", "The passes of one frame in OpenGL's terms and the chip's, and what the chip lacks for them");
     options->scenes.addTo(*command, "scene: id, scene file, mesh file (default: roettger)");

@@ -7,35 +7,18 @@
 
 #include "app/commands.h"
 #include "app/options.h"
+#include "app/word_values.h"
 #include "report/prove_report.h"
 
 namespace gnomon {
 namespace {
 
-struct Options {
+struct ProveOptions {
     ProfileOption profiles{};
     std::vector<std::string> stores{"screen"}, arithmetics{}, orders{};
     std::optional<int> levels{};
     FormatOption format{};
 };
-
-template <class Word>
-std::vector<Word> wordsOf(const std::string& flag, const std::vector<std::string>& words, int count) {
-    std::vector<std::string> known;
-    for (int i = 0; i < count; ++i) known.push_back(name(Word(i)));
-    std::vector<Word> values;
-    for (const std::string& word : words) {
-        const auto at = std::find(known.begin(), known.end(), word);
-        if (at == known.end())
-            throw UsageError(
-                fmt::format("{}: no such value '{}' (known: {})", flag, word, fmt::join(known, ", ")));
-        const Word value = Word(at - known.begin());
-        if (std::find(values.begin(), values.end(), value) == values.end()) values.push_back(value);
-    }
-    if (words.empty())
-        for (int i = 0; i < count; ++i) values.push_back(Word(i));
-    return values;
-}
 
 /// What a chip lacks, and who says so; nothing if it lacks nothing.
 struct Lack {
@@ -244,11 +227,13 @@ std::vector<DrawOrder> ordersOf(const Profile& profile) {
     return orders;
 }
 
-int run(const Options& options) {
+int run(const ProveOptions& options) {
     for (const std::string& store : options.stores)
         if (store != "screen" && store != "alpha")
             throw UsageError(fmt::format("--store: no such value '{}' (known: screen, alpha)", store));
-    const auto arithmetics = wordsOf<MaskArithmetic>("--arithmetic", options.arithmetics, kMaskArithmetics);
+    auto arithmetics = wordsOf<MaskArithmetic>("--arithmetic", options.arithmetics, kMaskArithmetics);
+    for (int i = 0; options.arithmetics.empty() && i < kMaskArithmetics; ++i)
+        arithmetics.push_back(MaskArithmetic(i));
     const auto chosen = wordsOf<DrawOrder>("--order", options.orders, kDrawOrders);
     if (options.levels && (*options.levels < 1 || *options.levels > 8))
         throw UsageError(fmt::format("--levels: {} is not within 1 to 8", *options.levels));
@@ -266,7 +251,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addProve(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ProveOptions>();
     CLI::App* command = app.add_subcommand(
         "prove", "Every reachable mask value of a chip's own arithmetic; a counterexample where it fails");
     options->profiles.addTo(*command, "chips (default: all)");

@@ -20,7 +20,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct RenderCommandOptions {
     ProfileOption profiles{};
     SceneOption scenes{};
     MethodOption methods{};
@@ -110,7 +110,7 @@ std::string causesFile(const std::string& mask) {
 }
 
 /// Refuses outputs that could not be written, before anything is drawn, so that all of them appear or none.
-void checkOutputs(const Options& options) {
+void checkOutputs(const RenderCommandOptions& options) {
     std::vector<std::filesystem::path> files;
     for (const std::string& file : {options.image, options.mask, causesFile(options.mask), options.truth}) {
         if (file.empty()) continue;
@@ -124,7 +124,7 @@ void checkOutputs(const Options& options) {
     }
 }
 
-int run(const Options& options) {
+int run(const RenderCommandOptions& options) {
     checkOutputs(options);
     const Page page = options.format.value();
     options.show.check(page);
@@ -185,7 +185,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addRender(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<RenderCommandOptions>();
     CLI::App* command = app.add_subcommand("render",
                                            "One image, its mask, and the buffer after every pass. Without a "
                                            "method: the first of stencil, alpha,\n"

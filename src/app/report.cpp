@@ -12,7 +12,7 @@
 namespace gnomon {
 namespace {
 
-struct Options {
+struct ReportOptions {
     std::vector<std::string> runs{};
     ProfileOption profiles{};
     std::vector<std::string> scenes{};
@@ -64,7 +64,7 @@ Scene sceneOf(const RunRecord& run, std::size_t index, const std::map<std::strin
 }
 
 /// The chips of all cells, and the scenes of those that are to be drawn or planned.
-RunSources sourcesOf(const RunRecord& run, const Options& options) {
+RunSources sourcesOf(const RunRecord& run, const ReportOptions& options) {
     RunSources sources;
     if (!options.profiles.ids.empty())
         for (Profile& profile : options.profiles.load()) sources.profiles.emplace(profile.id, profile);
@@ -95,7 +95,7 @@ RunSources sourcesOf(const RunRecord& run, const Options& options) {
     return sources;
 }
 
-int run(const Options& options) {
+int run(const ReportOptions& options) {
     if (options.runs.size() > 2)
         throw UsageError(fmt::format("{}: a third run; two can be compared", options.runs[2]));
     const bool compares = options.runs.size() == 2;
@@ -129,7 +129,7 @@ int run(const Options& options) {
 }  // namespace
 
 void addReport(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReportOptions>();
     CLI::App* command = app.add_subcommand(
         "report",
         "A run as one page that opens from disk without a network: tables, pictures, film strips, plots.\n"

@@ -38,7 +38,4 @@ Report reportOf(const std::vector<Cell>& cells, const RunSources& sources, int j
 void sayFaults(const std::vector<std::pair<std::size_t, std::string>>& faults,
                const std::function<std::string(std::size_t)>& nameOf);
 
-/// The `gnomon matrix` command that asks for such cells, as far as the defaults leave something to say.
-std::string commandOf(const std::vector<Cell>& cells, const RunSources& sources);
-
 }  // namespace gnomon

@@ -28,7 +28,7 @@ const std::vector<ReproducedPaper>& papers() {
     return kPapers;
 }
 
-struct Options {
+struct ReproduceCommandOptions {
     std::string paper{};
     std::optional<int> table{}, frames{}, repeats{};
     SceneOption scenes{};
@@ -40,7 +40,7 @@ struct Options {
     DeviceOption device{};
 };
 
-int run(const Options& options) {
+int run(const ReproduceCommandOptions& options) {
     const auto paper = std::find_if(papers().begin(), papers().end(),
                                     [&](const ReproducedPaper& p) { return p.id == options.paper; });
     const auto& tables = paper->tables;
@@ -98,7 +98,7 @@ std::string measuredOn(Device device) {
 }
 
 void addReproduce(CLI::App& app, int& status) {
-    const auto options = std::make_shared<Options>();
+    const auto options = std::make_shared<ReproduceCommandOptions>();
     CLI::App* command = app.add_subcommand(
         "reproduce", "Published figures beside measured ones; exit status 1 if one that must agree differs");
     std::vector<std::string> ids;

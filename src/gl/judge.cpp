@@ -7,16 +7,13 @@
 
 #include "gl/capability.h"
 #include "plan/plan.h"
+#include "profile/blend.h"
 
 namespace gnomon {
 namespace {
 
 bool readsDestinationAlpha(GLenum factor) {
     return factor == GL_DST_ALPHA || factor == GL_ONE_MINUS_DST_ALPHA || factor == GL_SRC_ALPHA_SATURATE;
-}
-
-bool isConstant(BlendFactor factor) {
-    return factor >= BlendFactor::ConstantColor && factor <= BlendFactor::OneMinusConstantAlpha;
 }
 
 /// In the alpha channel a colour factor means the alpha value of the same side.

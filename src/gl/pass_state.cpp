@@ -3,15 +3,9 @@
 #include <algorithm>
 
 #include "gl/words.h"
+#include "profile/blend.h"
 
 namespace gnomon {
-namespace {
-
-bool isConstant(BlendFactor factor) {
-    return factor >= BlendFactor::ConstantColor && factor <= BlendFactor::OneMinusConstantAlpha;
-}
-
-}  // namespace
 
 void PassState::bound(const std::optional<WindowRect>& part) {
     turn(GL_SCISSOR_TEST, m_scissorTest, part.has_value());

@@ -3,7 +3,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cctype>
+
+#include "profile/words.h"
 
 namespace gnomon {
 namespace {
@@ -36,11 +37,6 @@ std::optional<Word> find(const std::array<GLenum, N>& values, GLenum value) {
     for (std::size_t i = 0; i < N; ++i)
         if (values[i] == value) return Word(i);
     return std::nullopt;
-}
-
-std::string upper(std::string word) {
-    for (char& c : word) c = char(std::toupper(static_cast<unsigned char>(c)));
-    return "GL_" + word;
 }
 
 }  // namespace
@@ -121,10 +117,10 @@ std::string enumName(GLenum value) {
     if (value >= GL_CLIP_PLANE0 && value < GL_CLIP_PLANE0 + 8)
         return fmt::format("GL_CLIP_PLANE{}", value - GL_CLIP_PLANE0);
     if (value > 1) {
-        if (const auto word = compareOf(value)) return upper(name(*word));
-        if (const auto word = stencilOpOf(value)) return upper(name(*word));
-        if (const auto word = blendFactorOf(value)) return upper(name(*word));
-        if (const auto word = blendEquationOf(value)) return upper(name(*word));
+        if (const auto word = compareOf(value)) return "GL_" + upperCase(name(*word));
+        if (const auto word = stencilOpOf(value)) return "GL_" + upperCase(name(*word));
+        if (const auto word = blendFactorOf(value)) return "GL_" + upperCase(name(*word));
+        if (const auto word = blendEquationOf(value)) return "GL_" + upperCase(name(*word));
     }
     if (value == GL_ZERO) return "GL_ZERO";
     if (value == GL_ONE) return "GL_ONE";

@@ -12,17 +12,17 @@
 namespace gnomon {
 namespace {
 
-using Colour = std::array<int, 3>;
+using Levels = std::array<int, 3>;
 
-Colour colourAt(const Image& image, int x, int y) {
+Levels colourAt(const Image& image, int x, int y) {
     assert(image.channels == 1 || image.channels >= 3);
     const std::uint8_t* pixel = &image.data[(std::size_t(y) * std::size_t(image.width) + std::size_t(x)) *
                                             std::size_t(image.channels)];
-    return image.channels == 1 ? Colour{pixel[0], pixel[0], pixel[0]} : Colour{pixel[0], pixel[1], pixel[2]};
+    return image.channels == 1 ? Levels{pixel[0], pixel[0], pixel[0]} : Levels{pixel[0], pixel[1], pixel[2]};
 }
 
 /// 0 to 255, with the weights of ITU-R BT.601 in thousandths.
-int luma(const Colour& c) {
+int luma(const Levels& c) {
     return (299 * c[0] + 587 * c[1] + 114 * c[2] + 500) / 1000;
 }
 
@@ -32,13 +32,13 @@ std::string halfBlocks(const Image& image) {
     std::string text;
     for (int y = 0; y < image.height; y += 2) {
         // What is set is not set again.
-        std::optional<Colour> front, back;
+        std::optional<Levels> front, back;
         for (int x = 0; x < image.width; ++x) {
-            const Colour above = colourAt(image, x, y);
+            const Levels above = colourAt(image, x, y);
             if (front != above) text += fmt::format("\x1b[38;2;{};{};{}m", above[0], above[1], above[2]);
             front = above;
             if (y + 1 < image.height) {
-                const Colour below = colourAt(image, x, y + 1);
+                const Levels below = colourAt(image, x, y + 1);
                 if (back != below) text += fmt::format("\x1b[48;2;{};{};{}m", below[0], below[1], below[2]);
                 back = below;
             }

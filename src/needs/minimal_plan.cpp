@@ -46,23 +46,24 @@ std::string counted(std::size_t count, const char* what) {
 }
 
 /// Volumes that share a window, so that one call draws them.
-struct Group {
+struct WindowGroup {
     WindowRect window{};
     std::vector<std::uint32_t> volumes{};
 };
 
 /// Puts each volume into the group in which its window grows least, or into one of its own where that saves
 /// more pixels than a call costs.
-std::vector<Group> grouped(const std::vector<WindowRect>& windows, const std::vector<std::uint32_t>& kept) {
+std::vector<WindowGroup> grouped(const std::vector<WindowRect>& windows,
+                                 const std::vector<std::uint32_t>& kept) {
     std::vector<std::uint32_t> order = kept;
     std::stable_sort(order.begin(), order.end(),
                      [&](auto a, auto b) { return areaOf(windows[a]) > areaOf(windows[b]); });
-    std::vector<Group> groups;
+    std::vector<WindowGroup> groups;
     for (const std::uint32_t volume : order) {
         const WindowRect& own = windows[volume];
         double least = kDrawPixels;
-        Group* best = nullptr;
-        for (Group& group : groups) {
+        WindowGroup* best = nullptr;
+        for (WindowGroup& group : groups) {
             const double grown = areaOf(around(group.window, own));
             const double more =
                 grown - areaOf(own) + double(group.volumes.size()) * (grown - areaOf(group.window));
@@ -310,7 +311,7 @@ class Planner {
             for (const std::uint32_t v : kept) window.volumes.push_back(windows[v]);
         } else {
             std::vector<std::uint32_t> inGroups;
-            for (const Group& group : grouped(windows, kept)) {
+            for (const WindowGroup& group : grouped(windows, kept)) {
                 window.volumes.insert(window.volumes.end(), group.volumes.size(), group.window);
                 inGroups.insert(inGroups.end(), group.volumes.begin(), group.volumes.end());
             }

@@ -6,15 +6,15 @@
 #include <limits>
 
 #include "predict/window_line.h"
+#include "truth/infinity.h"
 #include "volume/clip_space.h"
 
 namespace gnomon {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRounding = 1e-12;     ///< of an inverse distance, as a share
-constexpr double kBoxRounding = 1e-9;   ///< of a box, as a share of its coordinates
-constexpr std::size_t kMostPlanes = 4;  ///< patches of a block that are planes; the rest is put together
+constexpr double kInverseRounding = 1e-12;  ///< of an inverse distance, as a share
+constexpr double kBoxRounding = 1e-9;       ///< of a box, as a share of its coordinates
+constexpr std::size_t kMostPlanes = 4;      ///< patches of a block that are planes; the rest is put together
 constexpr std::size_t kMostRests = 2;
 
 /// The part of the window that some pixels take, and what lies beside them: an octagon.
@@ -70,7 +70,7 @@ struct Octagon {
 };
 
 /// What some pixels of a block see of one plane, or between two distances.
-struct Piece {
+struct SeenPiece {
     const SurfaceFace* face = nullptr;  ///< the first
     WindowLine inverse{};               ///< 1 / distance of its plane
     Octagon where{};
@@ -116,7 +116,7 @@ class Receivers::Builder {
         }
         block.seesSurface = !m_pieces.empty();
         if (block.seesSurface) {
-            for (Piece& piece : m_pieces) finish(piece);
+            for (SeenPiece& piece : m_pieces) finish(piece);
             joinPlanes();
             joinRest();
             addPatches(block);
@@ -126,7 +126,7 @@ class Receivers::Builder {
 
     /// Adds a pixel to the piece of its face: @p last or another. Returns which.
     std::size_t see(const Seen& seen, double x, double y, std::size_t last) {
-        const auto isOf = [&](const Piece& piece) { return piece.face == seen.face; };
+        const auto isOf = [&](const SeenPiece& piece) { return piece.face == seen.face; };
         if (last >= m_pieces.size() || !isOf(m_pieces[last])) {
             const auto found = std::find_if(m_pieces.begin(), m_pieces.end(), isOf);
             last = std::size_t(found - m_pieces.begin());
@@ -143,7 +143,7 @@ class Receivers::Builder {
     }
 
     /// Finds the distances of one face's piece.
-    void finish(Piece& piece) {
+    void finish(SeenPiece& piece) {
         double nearest = 0, farthest = kInfinity;
         for (const glm::dvec2& corner : piece.where.corners()) {
             nearest = std::max(nearest, piece.inverse.at(corner.x, corner.y));
@@ -169,14 +169,14 @@ class Receivers::Builder {
     /// By how much two distances near 1 / @p inverse may differ and still compare either way, as inverse
     /// distances.
     double apartOf(double inverse, double slope) const {
-        return (m_window.bandOf(inverse) + kBeside * slope) / m_view.nearPlane + kRounding * inverse;
+        return (m_window.bandOf(inverse) + kBeside * slope) / m_view.nearPlane + kInverseRounding * inverse;
     }
-    double apart(const Piece& piece) const {
+    double apart(const SeenPiece& piece) const {
         // Between two distances all that lies beside is there already.
         return apartOf(piece.nearest, piece.isPlane ? piece.slope : 0) + piece.thickness;
     }
 
-    static void join(Piece& piece, const Piece& other) {
+    static void join(SeenPiece& piece, const SeenPiece& other) {
         piece.where.include(other.where);
         piece.nearest = std::max(piece.nearest, other.nearest);
         piece.farthest = std::min(piece.farthest, other.farthest);
@@ -189,9 +189,9 @@ class Receivers::Builder {
     void joinPlanes() {
         std::size_t kept = 0;
         for (std::size_t i = 0; i < m_pieces.size(); ++i) {
-            const Piece piece = m_pieces[i];
+            const SeenPiece piece = m_pieces[i];
             const auto end = m_pieces.begin() + std::ptrdiff_t(kept);
-            const auto found = std::find_if(m_pieces.begin(), end, [&](Piece& other) {
+            const auto found = std::find_if(m_pieces.begin(), end, [&](SeenPiece& other) {
                 if (!piece.isPlane || !other.isPlane) return false;
                 const double apartBy = distanceOf(piece, other);
                 if (apartBy > 0.25 * apartOf(std::min(piece.nearest, other.nearest), 0)) return false;
@@ -207,7 +207,7 @@ class Receivers::Builder {
     }
 
     /// How far two planes are apart where the pieces are, in inverse distances.
-    static double distanceOf(const Piece& a, const Piece& b) {
+    static double distanceOf(const SeenPiece& a, const SeenPiece& b) {
         const double left = std::min(a.where.left, b.where.left),
                      right = std::max(a.where.right, b.where.right);
         const double bottom = std::min(a.where.bottom, b.where.bottom),
@@ -223,8 +223,9 @@ class Receivers::Builder {
         if (m_pieces.size() <= kMostPlanes + kMostRests) return;
         const auto rest = m_pieces.begin() + std::ptrdiff_t(kMostPlanes);
         std::partial_sort(m_pieces.begin(), rest, m_pieces.end(),
-                          [](const Piece& a, const Piece& b) { return a.pixels > b.pixels; });
-        std::sort(rest, m_pieces.end(), [](const Piece& a, const Piece& b) { return a.nearest > b.nearest; });
+                          [](const SeenPiece& a, const SeenPiece& b) { return a.pixels > b.pixels; });
+        std::sort(rest, m_pieces.end(),
+                  [](const SeenPiece& a, const SeenPiece& b) { return a.nearest > b.nearest; });
         // The widest gap between them.
         auto split = m_pieces.end();
         double widest = 1, farthest = rest->farthest;
@@ -233,7 +234,7 @@ class Receivers::Builder {
             if (share < widest) widest = share, split = at;
             farthest = std::min(farthest, at->farthest);
         }
-        std::vector<Piece> joined;
+        std::vector<SeenPiece> joined;
         for (auto at = rest; at != m_pieces.end(); ++at) {
             if (at == rest || at == split)
                 joined.push_back(*at);
@@ -247,7 +248,7 @@ class Receivers::Builder {
 
     void addPatches(Block& block) {
         block.low = glm::dvec3(kInfinity), block.high = glm::dvec3(-kInfinity);
-        for (Piece& piece : m_pieces) {
+        for (SeenPiece& piece : m_pieces) {
             const auto corners = piece.where.corners();
             limit(piece, corners);
             Patch patch{.pixels = piece.where.pixels(), .first = std::uint32_t(m_out.m_corners.size())};
@@ -272,7 +273,7 @@ class Receivers::Builder {
     }
 
     /// A plane that reaches before the near plane or beyond infinity in some corner is no plane in all.
-    void limit(Piece& piece, const Few<glm::dvec2, 8>& corners) const {
+    void limit(SeenPiece& piece, const Few<glm::dvec2, 8>& corners) const {
         if (!piece.isPlane) return;
         double nearest = 0, farthest = kInfinity;
         for (const glm::dvec2& corner : corners) {
@@ -295,7 +296,7 @@ class Receivers::Builder {
     const SeenWindow& m_window;
     const View& m_view;
     Receivers& m_out;
-    std::vector<Piece> m_pieces{};  ///< of one block
+    std::vector<SeenPiece> m_pieces{};  ///< of one block
     glm::dvec3 m_faceLow{}, m_faceHigh{};
 };
 

@@ -4,11 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <optional>
 #include <string_view>
 #include <vector>
+
+#include "profile/words.h"
 
 namespace gnomon {
 namespace {
@@ -17,11 +18,6 @@ using enum BlendFactor;
 
 /// Phrases of one pass; nothing if it can't be said.
 using Terms = std::optional<std::vector<std::string>>;
-
-std::string upper(std::string word) {
-    for (char& c : word) c = char(std::toupper(static_cast<unsigned char>(c)));
-    return word;
-}
 
 /// A colour of 0..1 on 8 bits, or where 1 is another value.
 int scaled(float value, int one = 255) {
@@ -170,9 +166,10 @@ Terms gsTerms(const Pass& pass) {
     if (w.alpha) terms.push_back("FBA=0");
     const std::string alphaTest =
         pass.alphaTest.enabled ? fmt::format(" ATST={} AREF=0x{:02X} AFAIL=KEEP",
-                                             upper(name(pass.alphaTest.function)), alphaReference(pass))
+                                             upperCase(name(pass.alphaTest.function)), alphaReference(pass))
                                : "";
-    terms.push_back(fmt::format("TEST{} ZTST={}", alphaTest, upper(name(turnedRound(depthFunction(pass))))));
+    terms.push_back(
+        fmt::format("TEST{} ZTST={}", alphaTest, upperCase(name(turnedRound(depthFunction(pass))))));
     terms.push_back(fmt::format("ZMSK={}", pass.depthWrite ? 0 : 1));
     return terms;
 }
@@ -283,9 +280,9 @@ Terms flipperTerms(const Pass& pass, const Profile& profile) {
     if (profile.alphaBits > 0) terms.push_back(fmt::format("alpha update {}", onOff(pass.write.alpha)));
     if (pass.alphaTest.enabled)
         terms.push_back(fmt::format("alpha compare {} 0x{:02X} and ALWAYS",
-                                    upper(name(pass.alphaTest.function)), alphaReference(pass)));
+                                    upperCase(name(pass.alphaTest.function)), alphaReference(pass)));
     if (isNarrow(profile) && (pass.blend.enabled || pass.logicInvert)) terms.push_back("dither off");
-    terms.push_back("z " + upper(name(depthFunction(pass))));
+    terms.push_back("z " + upperCase(name(depthFunction(pass))));
     terms.push_back(fmt::format("z update {}", onOff(pass.depthWrite)));
     return terms;
 }
@@ -301,7 +298,7 @@ Terms powerVrTerms(const Pass& pass) {
         terms = {fmt::format("source {}, destination {}", *s, *d),
                  "source select 0, destination select 0, autosort off"};
     }
-    terms.push_back("depth " + upper(name(turnedRound(depthFunction(pass)))));
+    terms.push_back("depth " + upperCase(name(turnedRound(depthFunction(pass)))));
     terms.push_back(fmt::format("z write {}", onOff(pass.depthWrite)));
     return terms;
 }
@@ -340,9 +337,9 @@ Terms geTerms(const Pass& pass, const Profile& profile) {
     terms.push_back(fmt::format("colour mask 0x{:02X}{:02X}{:02X}", pass.write.blue ? 0 : 0xff,
                                 pass.write.green ? 0 : 0xff, pass.write.red ? 0 : 0xff));
     if (pass.alphaTest.enabled)
-        terms.push_back(fmt::format("alpha test {} 0x{:02X}", upper(name(pass.alphaTest.function)),
+        terms.push_back(fmt::format("alpha test {} 0x{:02X}", upperCase(name(pass.alphaTest.function)),
                                     alphaReference(pass)));
-    terms.push_back("z " + upper(name(depthFunction(pass))));
+    terms.push_back("z " + upperCase(name(depthFunction(pass))));
     terms.push_back(fmt::format("z mask {}", pass.depthWrite ? 0 : 1));
     return terms;
 }
@@ -354,16 +351,16 @@ std::string glideFactor(BlendFactor factor, bool ofSource) {
     switch (factor) {
         case SrcColor:
         case DstColor:
-            if ((factor == DstColor) == ofSource) return "GR_BLEND_" + upper(name(factor));
+            if ((factor == DstColor) == ofSource) return "GR_BLEND_" + upperCase(name(factor));
             return "GR_BLEND_SAME_COLOR_EXT";
         case OneMinusSrcColor:
         case OneMinusDstColor:
-            if ((factor == OneMinusDstColor) == ofSource) return "GR_BLEND_" + upper(name(factor));
+            if ((factor == OneMinusDstColor) == ofSource) return "GR_BLEND_" + upperCase(name(factor));
             return "GR_BLEND_ONE_MINUS_SAME_COLOR_EXT";
         case SrcAlphaSaturate:
             return "GR_BLEND_ALPHA_SATURATE";
         default:
-            return "GR_BLEND_" + upper(name(factor));
+            return "GR_BLEND_" + upperCase(name(factor));
     }
 }
 
@@ -396,8 +393,8 @@ Terms glideTerms(const Pass& pass) {
     terms.push_back(fmt::format("grColorMask({}, {})", flag(pass.write.red), flag(pass.write.alpha)));
     if (pass.alphaTest.enabled)
         terms.push_back(fmt::format("grAlphaTestFunction(GR_CMP_{}), grAlphaTestReferenceValue({})",
-                                    upper(name(pass.alphaTest.function)), alphaReference(pass)));
-    terms.push_back(fmt::format("grDepthBufferFunction(GR_CMP_{})", upper(name(depthFunction(pass)))));
+                                    upperCase(name(pass.alphaTest.function)), alphaReference(pass)));
+    terms.push_back(fmt::format("grDepthBufferFunction(GR_CMP_{})", upperCase(name(depthFunction(pass)))));
     terms.push_back(fmt::format("grDepthMask({})", flag(pass.depthWrite)));
     return terms;
 }
@@ -448,7 +445,7 @@ Terms fixedTerms(const Pass& pass, std::optional<std::string> (*blend)(const Pas
         terms = {*how, "dither off"};
     }
     if (!hasDepth) return terms;
-    terms.push_back("z " + upper(name(depthFunction(pass))));
+    terms.push_back("z " + upperCase(name(depthFunction(pass))));
     terms.push_back(fmt::format("z write {}", onOff(pass.depthWrite)));
     return terms;
 }

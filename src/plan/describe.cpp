@@ -1,17 +1,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cctype>
 
 #include "plan/plan.h"
+#include "profile/words.h"
 
 namespace gnomon {
 namespace {
-
-std::string upper(std::string word) {
-    for (char& c : word) c = char(std::toupper(static_cast<unsigned char>(c)));
-    return word;
-}
 
 std::string channels(const ColourWrite& w) {
     if (!w.any()) return "nothing";
@@ -20,12 +15,12 @@ std::string channels(const ColourWrite& w) {
 }
 
 std::string ops(const StencilSide& side) {
-    return fmt::format("KEEP {} {}", upper(name(side.onDepthFail)), upper(name(side.onPass)));
+    return fmt::format("KEEP {} {}", upperCase(name(side.onDepthFail)), upperCase(name(side.onPass)));
 }
 
 std::string stencilState(const Stencil& s) {
     const std::string test =
-        fmt::format("stencil {} {}{}{}{}, op ", upper(name(s.function)), s.reference,
+        fmt::format("stencil {} {}{}{}{}, op ", upperCase(name(s.function)), s.reference,
                     s.minusBlockers ? " minus the atomic count" : "",
                     s.readMask == ~0u ? "" : fmt::format(" & {:#x}", s.readMask),
                     s.writeMask == ~0u ? "" : fmt::format(", write mask {:#x}", s.writeMask));
@@ -40,11 +35,11 @@ bool isConstant(BlendFactor f) {
 
 std::string blendState(const Blend& b) {
     const bool extreme = b.equation == BlendEquation::Min || b.equation == BlendEquation::Max;
-    if (extreme) return "blend " + upper(name(b.equation));
+    if (extreme) return "blend " + upperCase(name(b.equation));
     const std::string equation =
-        b.equation == BlendEquation::Add ? "" : fmt::format("{} ", upper(name(b.equation)));
+        b.equation == BlendEquation::Add ? "" : fmt::format("{} ", upperCase(name(b.equation)));
     const bool constant = isConstant(b.source) || isConstant(b.destination);
-    return fmt::format("blend {}{} {}{}", equation, upper(name(b.source)), upper(name(b.destination)),
+    return fmt::format("blend {}{} {}{}", equation, upperCase(name(b.source)), upperCase(name(b.destination)),
                        constant ? fmt::format(", constant {:.3g}", b.constant) : "");
 }
 
@@ -110,11 +105,12 @@ std::string describeState(const Pass& pass, std::span<const MaskWindow> windows)
     if (const char* target = describeTarget(pass)) add(target);
     if (!scissor.empty()) add(scissor);
     if (pass.depthTest)
-        add(fmt::format("depth {}{}", upper(name(pass.depthFunction)), pass.depthWrite ? " write" : ""));
+        add(fmt::format("depth {}{}", upperCase(name(pass.depthFunction)), pass.depthWrite ? " write" : ""));
     if (pass.depthClamp) add("depth clamp");
     if (pass.stencil.enabled) add(stencilState(pass.stencil));
     if (pass.alphaTest.enabled)
-        add(fmt::format("alpha {} {:.3g}", upper(name(pass.alphaTest.function)), pass.alphaTest.reference));
+        add(fmt::format("alpha {} {:.3g}", upperCase(name(pass.alphaTest.function)),
+                        pass.alphaTest.reference));
     if (pass.blend.enabled) add(blendState(pass.blend));
     if (pass.logicInvert) add("logic op INVERT");
     if (pass.program == Program::CountFaces)

@@ -7,71 +7,13 @@
 #include <optional>
 #include <stdexcept>
 
+#include "predict/mask_bounds.h"
+#include "predict/mask_run.h"
+
 namespace gnomon {
 namespace {
 
 constexpr int kCounterValues = 1 << 16;
-
-/// The passes that make one mask.
-struct Run {
-    std::size_t first = 0, last = 0;  ///< of the plan's passes
-    std::size_t start =
-        0;  ///< the clear from which volumes count; first, unless it clears a part of the mask
-    MaskPlace place = MaskPlace::None;  ///< Stencil, Counter, Colour or Alpha
-};
-
-bool writesMask(const Pass& pass, MaskPlace place) {
-    switch (place) {
-        case MaskPlace::Stencil:
-            return pass.kind == PassKind::Clear ? pass.clearsStencil : pass.stencil.enabled;
-        case MaskPlace::Alpha:
-            return pass.write.alpha;
-        default:
-            return pass.write.red;
-    }
-}
-
-Run runOf(const Plan& plan, const MaskTap& tap) {
-    Run run{.last = tap.after, .place = tap.place};
-    if (tap.place == MaskPlace::Texture) {
-        // It is finished where it is copied.
-        std::size_t copy = tap.after;
-        while (copy > 0 &&
-               (plan.passes[copy - 1].kind != PassKind::Copy || plan.passes[copy - 1].frameTexture))
-            --copy;
-        run.last = copy == 0 ? 0 : copy - 1;
-        run.place =
-            plan.passes[run.last].texture == MaskTexture::Alpha ? MaskPlace::Alpha : MaskPlace::Colour;
-    }
-    const auto starts = [&](const Pass& pass) {
-        return pass.kind == PassKind::Clear && writesMask(pass, run.place) &&
-               (run.place != MaskPlace::Stencil || (pass.stencil.writeMask & 0xffu) == 0xffu);
-    };
-    const auto clearBefore = [&](std::size_t pass) {
-        while (pass > 0 && !starts(plan.passes[pass - 1])) --pass;
-        return pass > 0 ? pass - 1 : 0;
-    };
-    run.first = run.start = clearBefore(run.last);
-    // What a bounded clear leaves was cleared before, if it is asked for.
-    while (tap.outside < 0 && run.first > 0 && plan.passes[run.first].extent != Extent::Whole)
-        run.first = clearBefore(run.first);
-    return run;
-}
-
-bool wrapsUp(const StencilSide& side) {
-    return side.onPass == StencilOp::IncrWrap || side.onDepthFail == StencilOp::IncrWrap;
-}
-
-/// Whether the passes count up and down in steps that wrap.
-bool wrapsIn(const Plan& plan, const Run& run) {
-    const auto at = [&](std::size_t pass) { return plan.passes.begin() + std::ptrdiff_t(pass); };
-    return std::any_of(at(run.first), at(run.last), [](const Pass& pass) {
-        return pass.kind == PassKind::Volume &&
-               (wrapsUp(pass.stencil.front) || wrapsUp(pass.stencil.back) ||
-                pass.program == Program::CountFaces ||
-                (pass.blend.enabled && pass.blend.equation == BlendEquation::AddWrap));
-    });
-}
 
 /// Ways in which a crossing may meet a pass.
 enum Meeting { kNothing, kFrontPasses, kFrontFails, kBackPasses, kBackFails, kMeetings };
@@ -83,57 +25,6 @@ void makeSet(Values& values) {
     std::sort(values.begin(), values.end());
     values.erase(std::unique(values.begin(), values.end()), values.end());
 }
-
-/// The rectangles that bound a light's passes, on the pixels that are predicted: those of the mask, or of the
-/// window where a mask of fewer pixels is explained; then they hold all that the mask's may hold.
-class Bounds {
-  public:
-    Bounds() = default;
-    Bounds(const Plan& plan, int light, const Crossings& crossings) {
-        for (const MaskWindow& window : plan.windows)
-            m_shadows.push_back(stretched(window.all, plan, crossings));
-        for (const WindowRect& window : plan.windows[std::size_t(light)].volumes)
-            m_volumes.push_back(stretched(window, plan, crossings));
-        m_columns = runs(crossings.width, [](const WindowRect& r) { return std::pair(r.x, r.x + r.width); });
-        m_rows = runs(crossings.height, [](const WindowRect& r) { return std::pair(r.y, r.y + r.height); });
-    }
-
-    /// By light
-    const WindowRect& shadows(int light) const { return m_shadows[std::size_t(light)]; }
-    /// By volume of the plan
-    const WindowRect& volume(int index) const { return m_volumes[std::size_t(index)]; }
-
-    /// Pixels of one region lie in the same rectangles.
-    std::uint32_t region(const glm::ivec2& pixel) const {
-        return (std::uint32_t(m_columns[std::size_t(pixel.x)]) << 16) | m_rows[std::size_t(pixel.y)];
-    }
-
-  private:
-    static WindowRect stretched(const WindowRect& r, const Plan& plan, const Crossings& crossings) {
-        if (r.empty() || (crossings.width == plan.maskWidth && crossings.height == plan.maskHeight)) return r;
-        const auto low = [](int at, int to, int from) { return at * to / from; };
-        const auto high = [](int at, int to, int from) { return (at * to + from - 1) / from; };
-        const int x = low(r.x, crossings.width, plan.maskWidth),
-                  y = low(r.y, crossings.height, plan.maskHeight);
-        return {x, y, high(r.x + r.width, crossings.width, plan.maskWidth) - x,
-                high(r.y + r.height, crossings.height, plan.maskHeight) - y};
-    }
-
-    /// For each of @p size columns or rows, how many borders lie at or before it.
-    template <class Ends>
-    std::vector<std::uint16_t> runs(int size, const Ends& endsOf) const {
-        std::vector<std::uint16_t> run(std::size_t(size), 0);
-        for (const auto* rectangles : {&m_shadows, &m_volumes})
-            for (const WindowRect& r : *rectangles)
-                for (const int end : {endsOf(r).first, endsOf(r).second})
-                    if (!r.empty() && end > 0 && end < size) run[std::size_t(end)] = 1;
-        std::partial_sum(run.begin(), run.end(), run.begin());
-        return run;
-    }
-
-    std::vector<WindowRect> m_shadows{}, m_volumes{};
-    std::vector<std::uint16_t> m_columns{}, m_rows{};  ///< rows from the bottom
-};
 
 }  // namespace
 
@@ -168,7 +59,7 @@ struct MaskPrediction::Impl {
             if (draws(pass, Piece::Side) && entry != kNothing) entersBefore += direction(pass, entry);
         }
         if (isBounded)
-            bounds = Bounds(plan, in.light, in.crossings);
+            bounds = MaskBounds(plan, in.light, in.crossings);
         else
             outcomes.resize(in.crossings.signatures.size() * std::size_t(period * period));
         if (tap.outside >= 0) {
@@ -552,7 +443,7 @@ struct MaskPrediction::Impl {
     const MaskInputs in;
     const Plan& plan;
     const MaskTap& tap;
-    const Run run;
+    const MaskRun run;
     const bool wraps;
     int period = 1;
 
@@ -562,7 +453,7 @@ struct MaskPrediction::Impl {
     bool leavesOut = false;                ///< some volumes are kLeftOut
     bool isBounded = false;                ///< some passes don't reach all pixels
     std::optional<Extent> volumeExtent{};  ///< of all volume passes; Whole where they differ
-    Bounds bounds{};                       ///< where passes are bounded
+    MaskBounds bounds{};                   ///< where passes are bounded
     int entersBefore = 0;                  ///< what entries before the surface add, in all passes
 
     glm::ivec2 current{0};  ///< the pixel that is predicted, rows from the bottom

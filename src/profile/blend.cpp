@@ -262,6 +262,10 @@ bool hasOperation(BlendUnit unit, BlendOperation operation) {
     }
 }
 
+bool isConstant(BlendFactor factor) {
+    return factor >= BlendFactor::ConstantColor && factor <= BlendFactor::OneMinusConstantAlpha;
+}
+
 bool isBeyondGs(BlendFactor factor) {
     switch (factor) {
         case BlendFactor::SrcColor:

@@ -36,6 +36,9 @@ constexpr bool isGs(BlendUnit unit) {
     return unit == BlendUnit::Gs || unit == BlendUnit::GsWrap;
 }
 
+/// Of a constant colour or its alpha, which OpenGL has since 1.2 (its imaging subset).
+bool isConstant(BlendFactor factor);
+
 /// Whether @p factor is a colour, or a sum of alphas: the PS2 has neither.
 bool isBeyondGs(BlendFactor factor);
 

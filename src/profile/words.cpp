@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cctype>
 
 namespace gnomon {
 
@@ -157,6 +158,11 @@ std::span<const ColourFormat> knownColourFormats() {
                                                        {"888", 8, 8, 8, 0},
                                                        {"8888", 8, 8, 8, 8}}};
     return kFormats;
+}
+
+std::string upperCase(std::string word) {
+    for (char& c : word) c = char(std::toupper(static_cast<unsigned char>(c)));
+    return word;
 }
 
 }  // namespace gnomon

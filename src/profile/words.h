@@ -24,6 +24,9 @@ std::optional<Word> fromName(std::string_view spelling) {
     return {};
 }
 
+/// @p word in capitals, as OpenGL and chips spell it.
+std::string upperCase(std::string word);
+
 /// All colour formats that a profile may name: red, green, blue and alpha bits from the name's digits.
 std::span<const ColourFormat> knownColourFormats();
 

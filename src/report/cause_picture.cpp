@@ -10,8 +10,8 @@
 namespace gnomon {
 namespace {
 
-constexpr int kMargin = 4, kSwatch = 7, kLine = kLetterHeight + 2;
-constexpr Rgb kPaper{255, 255, 255}, kInk{0, 0, 0};
+constexpr int kLegendMargin = 4, kSwatch = 7, kLine = kLetterHeight + 2;
+constexpr Rgb kLegendPaper{255, 255, 255}, kLegendInk{0, 0, 0};
 
 }  // namespace
 
@@ -42,12 +42,14 @@ Image causePicture(const Image& mask, const std::vector<Cause>& causes) {
     if (lines.empty()) lines.push_back("no wrong pixel");
     std::size_t longest = 0;
     for (const std::string& line : lines) longest = std::max(longest, line.size());
-    const int legendWidth = 3 * kMargin + kSwatch + int(longest) * kLetterWidth;
+    const int legendWidth = 3 * kLegendMargin + kSwatch + int(longest) * kLetterWidth;
 
-    Image picture{
-        std::max(mask.width, legendWidth), mask.height + 2 * kMargin + int(lines.size()) * kLine, 3, {}};
+    Image picture{std::max(mask.width, legendWidth),
+                  mask.height + 2 * kLegendMargin + int(lines.size()) * kLine,
+                  3,
+                  {}};
     picture.data.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);
-    fillRectangle(picture, 0, 0, picture.width, picture.height, kPaper);
+    fillRectangle(picture, 0, 0, picture.width, picture.height, kLegendPaper);
     for (int y = 0; y < mask.height; ++y) {
         for (int x = 0; x < mask.width; ++x) {
             const auto i = std::size_t(y) * std::size_t(mask.width) + std::size_t(x);
@@ -57,10 +59,10 @@ Image causePicture(const Image& mask, const std::vector<Cause>& causes) {
         }
     }
     for (std::size_t i = 0; i < lines.size(); ++i) {
-        const int y = mask.height + kMargin + int(i) * kLine;
+        const int y = mask.height + kLegendMargin + int(i) * kLine;
         if (i < rows.size())
-            fillRectangle(picture, kMargin, y + 1, kSwatch, kSwatch, colourOf(rows[i].first));
-        writeText(picture, 2 * kMargin + kSwatch, y, lines[i], kInk);
+            fillRectangle(picture, kLegendMargin, y + 1, kSwatch, kSwatch, colourOf(rows[i].first));
+        writeText(picture, 2 * kLegendMargin + kSwatch, y, lines[i], kLegendInk);
     }
     return picture;
 }

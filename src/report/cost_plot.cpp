@@ -10,14 +10,15 @@ namespace {
 constexpr const char* kFrontier = "best bargains";
 
 /// The kinds of methods, one colour each.
-const std::vector<std::string> kKinds{"no shadows",   "stencil",    "destination alpha", "colour buffer",
-                                      "16-bit count", "shadow map", "smaller mask"};
+const std::vector<std::string> kMethodKinds{"no shadows",    "stencil",      "destination alpha",
+                                            "colour buffer", "16-bit count", "shadow map",
+                                            "smaller mask"};
 
 /// Of what is drawn: an automatic method is of the kind that it has chosen, if that was always the same.
 std::size_t kindOf(const CostRow& row) {
     const NamedMethod* chosen = findMethod(row.drawnBy);
     const Axes& axes = chosen ? chosen->axes : row.setting.way.axes;
-    return axes.maskDivisor > 1 ? kKinds.size() - 1 : std::size_t(axes.store);
+    return axes.maskDivisor > 1 ? kMethodKinds.size() - 1 : std::size_t(axes.store);
 }
 
 /// Leaves of the labels of exact points that of the cheapest.
@@ -61,8 +62,8 @@ Plot costPlot(const CostStudy& study, const CostAxis& axis) {
         .y = {
             .title = "wrong pixels per frame", .logarithmic = true, .foot = "0: exact", .spreadsFoot = true}};
 
-    for (std::size_t kind = 0; kind < kKinds.size(); ++kind)
-        plot.series.push_back({.name = kKinds[kind], .look = kind});
+    for (std::size_t kind = 0; kind < kMethodKinds.size(); ++kind)
+        plot.series.push_back({.name = kMethodKinds[kind], .look = kind});
     std::vector<const CostRow*> steps;
     for (const CostRow& row : study.rows) {
         if (!row.isDrawn()) continue;

@@ -4,8 +4,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 
+#include "profile/blend.h"
+#include "profile/words.h"
 #include "report/plan_notes.h"
 #include "report/table.h"
 
@@ -15,18 +16,13 @@ namespace {
 /// "GL_DST_COLOR" of "dst_color".
 template <class Word>
 std::string glWord(Word word) {
-    std::string text = fmt::format("GL_{}", name(word));
-    for (char& c : text) c = char(std::toupper(static_cast<unsigned char>(c)));
-    return text;
+    return "GL_" + upperCase(name(word));
 }
 
 const char* glBool(bool is) {
     return is ? "GL_TRUE" : "GL_FALSE";
 }
 
-bool isConstant(BlendFactor f) {
-    return f >= BlendFactor::ConstantColor && f <= BlendFactor::OneMinusConstantAlpha;
-}
 bool hasConstant(const Blend& blend) {
     return blend.enabled && (isConstant(blend.source) || isConstant(blend.destination));
 }

@@ -130,7 +130,7 @@ std::string cellText(const Entry& e, const std::string& profile, Notes& notes, b
 }
 
 /// A column of the table: chips that have the same entry in every row.
-struct Column {
+struct MatrixColumn {
     std::vector<std::string> chips{};
     std::vector<std::string> entries{};  ///< a row each
 
@@ -141,11 +141,11 @@ struct Column {
 };
 
 /// Folds equal columns; each stands where its first chip stood.
-std::vector<Column> folded(const std::vector<Column>& columns) {
-    std::vector<Column> groups;
-    for (const Column& column : columns) {
+std::vector<MatrixColumn> folded(const std::vector<MatrixColumn>& columns) {
+    std::vector<MatrixColumn> groups;
+    for (const MatrixColumn& column : columns) {
         const auto equal = std::find_if(groups.begin(), groups.end(),
-                                        [&](const Column& g) { return g.entries == column.entries; });
+                                        [&](const MatrixColumn& g) { return g.entries == column.entries; });
         if (equal == groups.end())
             groups.push_back(column);
         else
@@ -155,12 +155,12 @@ std::vector<Column> folded(const std::vector<Column>& columns) {
 }
 
 /// @p chips by the heads of their columns, where all chips of a column are meant.
-std::string headsText(const std::vector<std::string>& chips, const std::vector<Column>& columns) {
+std::string headsText(const std::vector<std::string>& chips, const std::vector<MatrixColumn>& columns) {
     const auto isMeant = [&](const std::string& chip) {
         return std::find(chips.begin(), chips.end(), chip) != chips.end();
     };
     std::vector<std::string> words;
-    for (const Column& column : columns) {
+    for (const MatrixColumn& column : columns) {
         if (std::all_of(column.chips.begin(), column.chips.end(), isMeant))
             words.push_back(column.head());
         else
@@ -170,7 +170,7 @@ std::string headsText(const std::vector<std::string>& chips, const std::vector<C
 }
 
 /// The columns behind one of row heads, in as many blocks of at most @p widest columns of text as they need.
-std::string blocksOf(const std::vector<std::string>& methods, const std::vector<Column>& columns,
+std::string blocksOf(const std::vector<std::string>& methods, const std::vector<MatrixColumn>& columns,
                      std::size_t widest) {
     std::size_t headWidth = std::string("method").size();
     for (const std::string& method : methods) headWidth = std::max(headWidth, method.size());
@@ -195,7 +195,7 @@ std::string blocksOf(const std::vector<std::string>& methods, const std::vector<
 /// Where volumes may nest deeper than methods can count: a line for each warning, with the methods, chips and
 /// frames of which not all are meant. Of warnings that differ only in how deep, the deepest.
 std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<std::string>& methods,
-                       const std::vector<Column>& columns, const std::vector<int>& frames,
+                       const std::vector<MatrixColumn>& columns, const std::vector<int>& frames,
                        std::size_t width) {
     struct Line {
         std::string text{};
@@ -246,7 +246,7 @@ std::string warningsOf(const std::vector<const Cell*>& cells, const std::vector<
 
 /// What automatic methods draw: a line for each method and how sure it is, with the chips and frames of which
 /// not all are meant.
-std::string choicesOf(const std::vector<const Cell*>& cells, const std::vector<Column>& columns,
+std::string choicesOf(const std::vector<const Cell*>& cells, const std::vector<MatrixColumn>& columns,
                       const std::vector<int>& frames, std::size_t width) {
     struct Line {
         std::string text{};
@@ -292,7 +292,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes, const P
         entries[{row, cell->profile}].push_back(cell);
     }
 
-    std::vector<Column> columns;
+    std::vector<MatrixColumn> columns;
     for (const std::string& profile : profiles) columns.push_back({{profile}, {}});
     std::vector<std::pair<std::string, std::vector<std::string>>> causes;  // what, chips
     for (const std::string& method : methods) {
@@ -306,7 +306,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes, const P
         for (const auto& [cause, where] : causesHere)
             causes.emplace_back(fmt::format("{}: {}", method, cause), where);
     }
-    const std::vector<Column> groups = folded(columns);
+    const std::vector<MatrixColumn> groups = folded(columns);
 
     std::string text = fmt::format("{}, {}x{}, frame{} {}{}{}", cells[0]->scene, cells[0]->width,
                                    cells[0]->height, frames.size() > 1 ? "s" : "", fmt::join(frames, " "),
@@ -315,7 +315,7 @@ std::string tableOf(const std::vector<const Cell*>& cells, Notes& notes, const P
     text = wrapText(text, 2, page.width) + "\n\n";
     text += blocksOf(methods, groups, page.width);
     std::string legend;
-    for (const Column& group : groups)
+    for (const MatrixColumn& group : groups)
         if (group.chips.size() > 1)
             legend += fmt::format(
                 "  {}\n",

@@ -16,7 +16,8 @@ struct Page {
     bool colours = false;              ///< verdicts in colours, by escape sequences
 
     Page() = default;
-    Page(Format f) : format(f) {}  // NOLINT: a format alone is a page of the usual width
+    /// A format alone is a page of the usual width; not explicit, so that it can stand for one.
+    Page(Format f) : format(f) {}
 };
 
 }  // namespace gnomon

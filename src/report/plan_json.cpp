@@ -2,7 +2,11 @@
 
 namespace gnomon {
 
+namespace {
+
 using Json = nlohmann::ordered_json;
+
+}  // namespace
 
 Json toJson(const PassCounts& counts) {
     return {{"scene", counts.scene},

@@ -8,7 +8,7 @@ namespace gnomon {
 namespace {
 
 constexpr double kQuarterTurn = 1.5707963267948966;
-constexpr PlotColour kPaper{1, 1, 1};
+constexpr PlotColour kPlotPaper{1, 1, 1};
 
 // Okabe and Ito 2008, Color Universal Design: told apart with any colour vision. Without the yellow, which is
 // too light on white.
@@ -49,7 +49,7 @@ void PlotPen::text(double x, double y, const std::string& text, Align align) {
 void PlotPen::halo(double x, double y, const std::string& text) {
     cairo_move_to(m_context, x, y);
     cairo_text_path(m_context, text.c_str());
-    colour(kPaper);
+    colour(kPlotPaper);
     cairo_set_line_width(m_context, 3);
     cairo_set_line_join(m_context, CAIRO_LINE_JOIN_ROUND);
     cairo_stroke(m_context);
@@ -131,7 +131,7 @@ void PlotPen::symbol(double x, double y, const PlotLook& look, bool marked) {
             polygon({{-.55, -1}, {.55, -1}, {1.1, 0}, {.55, 1}, {-.55, 1}, {-1.1, 0}});
             break;
     }
-    colour(marked ? look.colour : kPaper);
+    colour(marked ? look.colour : kPlotPaper);
     cairo_fill_preserve(m_context);
     colour(look.colour);
     cairo_set_line_width(m_context, 1.5);

@@ -100,11 +100,11 @@ std::string reachOf(const MaskProof& proof) {
     return reachOf(proof.depth, proof.volumes);
 }
 
-/// Rows of one chip, store, arithmetic and means.
-using Rows = std::vector<const ProofRow*>;
+/// ProofRows of one chip, store, arithmetic and means.
+using ProofRows = std::vector<const ProofRow*>;
 
 /// "up to 5 open in 5 bits, up to 6 open in 6 bits": of units of one width the one that reaches least.
-std::string reachInWords(const Rows& rows) {
+std::string reachInWords(const ProofRows& rows) {
     std::map<int, const MaskProof*> worst;
     const auto reach = [](const MaskProof& p) {
         constexpr int kAny = std::numeric_limits<int>::max();
@@ -128,12 +128,12 @@ std::string reachInWords(const Rows& rows) {
 }
 
 /// Whether the figures of @p row are shown: the best start's, unless there are only those of asked levels.
-bool isShown(const ProofRow& row, const Rows& rows) {
+bool isShown(const ProofRow& row, const ProofRows& rows) {
     return !row.levels ||
            std::none_of(rows.begin(), rows.end(), [](const ProofRow* r) { return !r->levels; });
 }
 
-std::string halfInWords(const Rows& rows) {
+std::string halfInWords(const ProofRows& rows) {
     std::set<int> halves;
     bool notTheOther = false;
     for (const ProofRow* r : rows) {
@@ -146,7 +146,7 @@ std::string halfInWords(const Rows& rows) {
     return fmt::format("half = {}{}", fmt::join(halves, " or "), not127);
 }
 
-std::string driftInWords(const Rows& rows) {
+std::string driftInWords(const ProofRows& rows) {
     MaskProof::Drift all;
     for (const ProofRow* r : rows)
         for (const MaskProof::Drift& drift : r->proof->drift) {
@@ -160,8 +160,8 @@ std::string driftInWords(const Rows& rows) {
 }
 
 /// "1 up to 1 open, 2 to 5 exact", or "2 up to 32 in all, drifts by -64 codes in 64 volumes".
-std::string levelsInWords(const Rows& rows) {
-    std::map<int, Rows> byLevel;
+std::string levelsInWords(const ProofRows& rows) {
+    std::map<int, ProofRows> byLevel;
     for (const ProofRow* r : rows) byLevel[*r->levels].push_back(r);
     struct Run {
         int first = 0, last = 0;
@@ -183,12 +183,12 @@ std::string levelsInWords(const Rows& rows) {
 
 /// What one mode of dithering gives: a line for all orders, and for double one per width with its levels in
 /// the first order.
-std::string modeInWords(const std::string& mode, const Rows& rows, std::size_t width) {
+std::string modeInWords(const std::string& mode, const ProofRows& rows, std::size_t width) {
     std::vector<std::string> parts;
-    Rows first;
-    std::map<int, Rows> levelsOfBits;
+    ProofRows first;
+    std::map<int, ProofRows> levelsOfBits;
     for (int o = 0; o < kDrawOrders; ++o) {
-        Rows ofOrder;
+        ProofRows ofOrder;
         for (const ProofRow* r : rows)
             if (r->claim.order == DrawOrder(o) && isShown(*r, rows)) ofOrder.push_back(r);
         if (ofOrder.empty()) continue;
@@ -218,7 +218,7 @@ std::string modeInWords(const std::string& mode, const Rows& rows, std::size_t w
 
 /// One paragraph per chip, store, arithmetic and means: without dithering, and with the driver's default.
 std::string inWords(const std::vector<ProofRow>& rows, std::size_t width) {
-    std::vector<std::pair<std::string, Rows>> groups;
+    std::vector<std::pair<std::string, ProofRows>> groups;
     for (const ProofRow& r : rows) {
         if (!r.proof) continue;
         // Units are what is known of one chip, but the PS2's two are a choice.
@@ -240,7 +240,7 @@ std::string inWords(const std::vector<ProofRow>& rows, std::size_t width) {
     }
     std::string text;
     for (const auto& [about, all] : groups) {
-        Rows off, byDefault;
+        ProofRows off, byDefault;
         for (const ProofRow* r : all) {
             if (r->claim.channel.dither == DitherMode::Off) off.push_back(r);
             if (r->isDefaultDither && r->claim.channel.dither != DitherMode::Off) byDefault.push_back(r);
@@ -347,7 +347,7 @@ std::string showProofs(const std::vector<ProofRow>& rows, const Page& page) {
 
     std::vector<std::vector<std::string>> table{kHead};
     std::string refusals;
-    Rows proved;
+    ProofRows proved;
     for (const ProofRow& r : rows)
         if (r.proof && r.claim.arithmetic == MaskArithmetic::Double) proved.push_back(&r);
     for (const ProofRow& r : rows) {

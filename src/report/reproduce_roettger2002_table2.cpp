@@ -12,7 +12,7 @@
 namespace gnomon {
 namespace {
 
-constexpr int kKinds = 5;
+constexpr int kPassKinds = 5;
 
 /// A pass of the unknown scene: more fragments, and as many triangles.
 PassCost scaled(PassCost pass, const Unknowns& unknowns) {
@@ -24,8 +24,8 @@ PassCost scaled(PassCost pass, const Unknowns& unknowns) {
 }
 
 /// By kind of pass.
-std::array<double, kKinds> chipMsByKind(const Table2Cell& cell, const Unknowns& unknowns) {
-    std::array<double, kKinds> sums{};
+std::array<double, kPassKinds> chipMsByKind(const Table2Cell& cell, const Unknowns& unknowns) {
+    std::array<double, kPassKinds> sums{};
     for (const FrameCost& frame : cell.frames)
         for (const PassCost& pass : frame.passes)
             sums[std::size_t(pass.kind)] += scaled(pass, unknowns).ms() / double(cell.frames.size());
@@ -128,7 +128,8 @@ class Residuals {
 
 /// What makes one frame longer than the other.
 std::string differenceText(const Table2Cell& longer, const Table2Cell& shorter, const Unknowns& unknowns) {
-    static const std::array<const char*, kKinds> kNames{"clears", "scene", "volumes", "rectangles", "copy"};
+    static const std::array<const char*, kPassKinds> kNames{"clears", "scene", "volumes", "rectangles",
+                                                            "copy"};
     const auto a = chipMsByKind(longer, unknowns), b = chipMsByKind(shorter, unknowns);
     double chipA = 0, chipB = 0;
     std::vector<std::string> terms;

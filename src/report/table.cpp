@@ -10,8 +10,8 @@
 namespace gnomon {
 namespace {
 
-using Row = std::vector<std::string>;
-using Rows = std::vector<Row>;
+using TableRow = std::vector<std::string>;
+using TableRows = std::vector<TableRow>;
 
 constexpr std::size_t kGap = 2;  ///< blanks between columns
 /// Entries of words are broken, but not into lines shorter than this; what is short already stays in one
@@ -26,9 +26,9 @@ std::size_t longestWord(const std::string& text) {
 }
 
 /// The largest of @p measure over each column.
-std::vector<std::size_t> columnsBy(const Rows& rows, std::size_t (*measure)(const std::string&)) {
+std::vector<std::size_t> columnsBy(const TableRows& rows, std::size_t (*measure)(const std::string&)) {
     std::vector<std::size_t> widths;
-    for (const Row& row : rows) {
+    for (const TableRow& row : rows) {
         widths.resize(std::max(widths.size(), row.size()));
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], measure(row[i]));
     }
@@ -47,7 +47,7 @@ std::size_t sumOf(const std::vector<std::size_t>& widths, const std::vector<std:
 }
 
 /// One line of a table; @p widths may be longer than @p row.
-std::string lineOf(const Row& row, const std::vector<std::size_t>& widths) {
+std::string lineOf(const TableRow& row, const std::vector<std::size_t>& widths) {
     std::string out;
     for (std::size_t i = 0; i < row.size(); ++i) {
         const std::size_t width = textWidth(row[i]);
@@ -58,8 +58,8 @@ std::string lineOf(const Row& row, const std::vector<std::size_t>& widths) {
 }
 
 /// The lines of one row whose entries are broken at blanks.
-std::string brokenRow(const Row& row, const std::vector<std::size_t>& widths) {
-    Rows lines;
+std::string brokenRow(const TableRow& row, const std::vector<std::size_t>& widths) {
+    TableRows lines;
     for (std::size_t i = 0; i < row.size(); ++i) {
         // Blanks at the left of an entry set it off; it is broken only where it is too wide.
         std::istringstream parts(textWidth(row[i]) <= widths[i] ? row[i] : wrapText(row[i], 0, widths[i]));
@@ -70,16 +70,16 @@ std::string brokenRow(const Row& row, const std::vector<std::size_t>& widths) {
         }
     }
     std::string text;
-    for (const Row& line : lines) text += lineOf(line, widths);
+    for (const TableRow& line : lines) text += lineOf(line, widths);
     return lines.empty() ? "\n" : text;
 }
 
-std::string linesOf(const Rows& rows, const std::vector<std::size_t>& widths) {
+std::string linesOf(const TableRows& rows, const std::vector<std::size_t>& widths) {
     std::string text;
     for (std::size_t r = 0; r < rows.size(); ++r) {
         text += brokenRow(rows[r], widths);
         if (r > 0) continue;
-        Row rules;
+        TableRow rules;
         for (std::size_t i = 0; i < rows[0].size(); ++i) rules.push_back(std::string(widths[i], '-'));
         text += lineOf(rules, widths);
     }
@@ -100,27 +100,27 @@ std::vector<std::size_t> narrowed(std::vector<std::size_t> widths, const std::ve
 }
 
 /// Only these columns of each row, as far as it has them.
-Rows columnsOf(const Rows& rows, const std::vector<std::size_t>& columns) {
-    Rows some;
-    for (const Row& row : rows) {
-        Row& out = some.emplace_back();
+TableRows columnsOf(const TableRows& rows, const std::vector<std::size_t>& columns) {
+    TableRows some;
+    for (const TableRow& row : rows) {
+        TableRow& out = some.emplace_back();
         for (const std::size_t i : columns) out.push_back(i < row.size() ? row[i] : "");
     }
     return some;
 }
 
 /// Whether the first @p keys entries tell the rows apart.
-bool areTold(const Rows& rows, std::size_t keys) {
-    std::set<Row> firsts;
-    for (const Row& row : rows) {
+bool areTold(const TableRows& rows, std::size_t keys) {
+    std::set<TableRow> firsts;
+    for (const TableRow& row : rows) {
         if (row.size() < keys) return false;
-        if (!firsts.insert(Row(row.begin(), row.begin() + std::ptrdiff_t(keys))).second) return false;
+        if (!firsts.insert(TableRow(row.begin(), row.begin() + std::ptrdiff_t(keys))).second) return false;
     }
     return true;
 }
 
 /// With their numbers in a first column.
-Rows numbered(Rows rows) {
+TableRows numbered(TableRows rows) {
     for (std::size_t r = 0; r < rows.size(); ++r)
         rows[r].insert(rows[r].begin(), r == 0 ? "row" : std::to_string(r));
     return rows;
@@ -153,7 +153,7 @@ std::string alignColumns(const std::vector<std::vector<std::string>>& rows, std:
 
     // Blocks; each takes as many columns as it can hold unbroken, and at least one.
     const bool isTold = areTold(rows, keys);
-    const Rows all = isTold ? rows : numbered(rows);
+    const TableRows all = isTold ? rows : numbered(rows);
     const std::vector<std::size_t> widths = columnsBy(all, textWidth);
     std::vector<std::size_t> head;
     for (std::size_t i = 0; i < (isTold ? std::min(keys, widths.size()) : 1); ++i) head.push_back(i);

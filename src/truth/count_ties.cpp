@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "truth/infinity.h"
+
 namespace gnomon {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kCorner = 1.4142135623730951 * kSubpixel;  ///< how far rounding may move a point, pixels
 constexpr double kLongestRise = 0x1p-8;  ///< of a side within reach; steeper ones are too thin
 constexpr double kFarBehind = 2000;      ///< in reaches: twice the scene's diagonal

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
+#include "truth/infinity.h"
+
 namespace gnomon {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Whether all rays around @p ray pass inside the triangle, or none does.
 Answer meets(const EyeRay& ray, const LitTriangle& t, const glm::dvec3& stepX, const glm::dvec3& stepY) {

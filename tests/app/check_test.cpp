@@ -7,7 +7,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace check_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -159,5 +159,5 @@ TEST_F(Check, JUnitIsXmlWithACaseForEveryCell) {
     }
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace gnomon

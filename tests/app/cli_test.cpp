@@ -18,7 +18,7 @@
 #include "scene/load.h"
 
 namespace gnomon {
-namespace {
+namespace cli_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -581,5 +581,5 @@ TEST_F(Program, MarksThePathInTheMatrix) {
                                                       "voodoo3 roettger-screen", "ps2 screen-texture"));
 }
 
-}  // namespace
+}  // namespace cli_test
 }  // namespace gnomon

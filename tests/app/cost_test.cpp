@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace cost_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -82,5 +82,5 @@ TEST_F(CostCommand, HasExitStatusOneWhereAChipCanDoNothing) {
     EXPECT_THAT(leftBehind(), IsEmpty());
 }
 
-}  // namespace
+}  // namespace cost_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace effects_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -125,5 +125,5 @@ TEST_F(Advising, RefusesBadArguments) {
     expectRefused(run({"advise", "boxes", "--profile", "tnt,ideal"}), "2 given");
 }
 
-}  // namespace
+}  // namespace effects_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace help_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -122,5 +122,5 @@ TEST_F(Help, DoubledEffectsAreRefused) {
                   "--effects: 'levels' stands there twice");
 }
 
-}  // namespace
+}  // namespace help_test
 }  // namespace gnomon

@@ -10,7 +10,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace interrupt_test {
 
 using testing::IsEmpty;
 using testing::SizeIs;
@@ -120,5 +120,5 @@ TEST_F(Interrupted, KilledWorkerCostsOneCellAtMost) {
     EXPECT_EQ(run.status(), failed ? 3 : 0);
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace mesh_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -142,5 +142,5 @@ TEST_F(RealMesh, CryptWithItsLightsNeedsLessThanHalfOfThePolygonsOfBruteForce) {
     EXPECT_EQ(polygonsOf(coarse, "winding"), 17'025'011u);
 }
 
-}  // namespace
+}  // namespace mesh_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace plan_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -52,5 +52,5 @@ TEST_F(PlanCommand, TakesStartAndOverflowOfCountsInColour) {
     expectRefused(plan({"--start", "middle", "--overflow", "wrap"}), "the middle is for one that saturates");
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace prove_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -223,5 +223,5 @@ TEST_F(ProveCommand, ProvesInCsvWithAsManyFieldsAsItsHead) {
             << line;
 }
 
-}  // namespace
+}  // namespace prove_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace rasteriser_test {
 
 using testing::IsSupersetOf;
 using testing::Not;
@@ -152,5 +152,5 @@ TEST_F(Rasteriser, MayBeSoftpipe) {
     EXPECT_THAT(failed, IsSupersetOf({"counter", "atomiczp", "screen-count", "alpha-count"}));
 }
 
-}  // namespace
+}  // namespace rasteriser_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace readme_test {
 
 const std::filesystem::path kReadme = std::filesystem::path(GNOMON_SOURCE) / "README.md";
 
@@ -144,5 +144,5 @@ TEST_F(Readme, NamesEveryCommand) {
         EXPECT_NE(readme.find(fmt::format("gnomon {}", command)), std::string::npos) << command;
 }
 
-}  // namespace
+}  // namespace readme_test
 }  // namespace gnomon

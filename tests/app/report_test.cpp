@@ -12,7 +12,7 @@
 #include "report/unpack.h"
 
 namespace gnomon {
-namespace {
+namespace report_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -223,20 +223,26 @@ TEST_F(ReportCommand, SaysWhichCellComesOutOtherwise) {
 TEST_F(ReportCommand, FindsFilesByTheirNames) {
     std::filesystem::create_directory(pathOf("there"));
     std::filesystem::create_directory(pathOf("here"));
-    const std::string mesh = write("there/tent.obj",
+    const std::string mesh = write("there/it's a tent.obj",
                                    "v 0 0 0\nv 1 0 0\nv 0 0 1\nv 0.3 1 0.3\n"
                                    "f 1 2 4\nf 2 3 4\nf 3 1 4\nf 1 3 2\n");
     const Outcome matrix = run({"matrix", mesh, "--profile", "ideal", "--method", "carmack", "--size",
                                 "32x24", "--frames", "0", "--format", "json"});
     ASSERT_EQ(matrix.status, 0) << matrix.err;
     const std::string file = write("run.json", matrix.out);
-    std::filesystem::rename(mesh, pathOf("here/tent.obj"));
+    std::filesystem::rename(mesh, pathOf("here/it's a tent.obj"));
     const Outcome lost = run({"report", file, "-o", pathOf("a.html")});
     EXPECT_EQ(lost.status, 2);
     EXPECT_THAT(lost.err, AllOf(HasSubstr("run.json:1: "), HasSubstr("--scene FILE says where it is\n")));
-    const Outcome found = run({"report", file, "--scene", pathOf("here/tent.obj"), "-o", pathOf("a.html")});
+    const Outcome found =
+        run({"report", file, "--scene", pathOf("here/it's a tent.obj"), "-o", pathOf("a.html")});
     EXPECT_EQ(found.status, 0) << found.err;
-    EXPECT_EQ(runOf(page("a.html")).at("drawings").size(), 1u);
+    const Json shown = runOf(page("a.html"));
+    EXPECT_EQ(shown.at("drawings").size(), 1u);
+    EXPECT_EQ(shown.at("command"), fmt::format("gnomon matrix '{}' --profile ideal --method carmack --size "
+                                               "32x24",
+                                               pathOf("there/it'\\''s a tent.obj")))
+        << "as the shell takes it";
 }
 
 TEST_F(ReportCommand, RefusesBadFilesInOneLine) {
@@ -298,5 +304,5 @@ TEST_F(ReportCommand, TellsWhatHasChanged) {
     EXPECT_EQ(runOf(page("change.html")).at("compare").at("changes"), json.at("changes"));
 }
 
-}  // namespace
+}  // namespace report_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "program.h"
 
 namespace gnomon {
-namespace {
+namespace reproduce_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -101,5 +101,5 @@ TEST_F(Reproducing, RefusesWhatAPaperHasNoUseFor) {
     }
 }
 
-}  // namespace
+}  // namespace reproduce_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "pseudo_terminal.h"
 
 namespace gnomon {
-namespace {
+namespace terminal_test {
 
 using testing::AllOf;
 using testing::EndsWith;
@@ -247,5 +247,5 @@ TEST_F(Terminal, PlansAreShownWithTheirMaskBeside) {
     EXPECT_THAT(refused, StartsWith("carmack (attenuated) on ps1"));
 }
 
-}  // namespace
+}  // namespace terminal_test
 }  // namespace gnomon

@@ -12,7 +12,7 @@
 #include "gl/tools.h"
 
 namespace gnomon {
-namespace {
+namespace coverage_test {
 
 constexpr int kWidth = 64, kHeight = 48;
 constexpr WindowRect kAll{0, 0, kWidth, kHeight};
@@ -226,5 +226,5 @@ TEST(Coverage, IsWhatTheRasteriserDraws) {
     }
 }
 
-}  // namespace
+}  // namespace coverage_test
 }  // namespace gnomon

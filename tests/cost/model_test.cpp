@@ -13,7 +13,7 @@ void PrintTo(Resource resource, std::ostream* out) {
     *out << name(resource);
 }
 
-namespace {
+namespace model_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -173,5 +173,5 @@ TEST(ModelRates, NameTheirSources) {
     EXPECT_THAT(modelRates(chip("ideal")), IsEmpty());
 }
 
-}  // namespace
+}  // namespace model_test
 }  // namespace gnomon

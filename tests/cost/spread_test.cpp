@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace spread_test {
 
 TEST(Spread, OfOddManyFiguresIsTheOnesInTheirPlaces) {
     const Spread s = spreadOf({5, 1, 4, 2, 3});
@@ -29,5 +29,5 @@ TEST(Ratios, AreOfTheSameRound) {
     EXPECT_EQ(ratios(std::vector<double>{2, 9}, std::vector<double>{1, 3}), (std::vector<double>{2, 3}));
 }
 
-}  // namespace
+}  // namespace spread_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "gl/tools.h"
 
 namespace gnomon {
-namespace {
+namespace touched_test {
 
 constexpr int kWidth = 64, kHeight = 48, kPixels = kWidth * kHeight;
 
@@ -203,5 +203,5 @@ TEST(TouchedPixels, OfAFrameAreInNoRectangleMoreThanInTheWhole) {
     EXPECT_EQ(parts, whole) << "rectangles that fill the window";
 }
 
-}  // namespace
+}  // namespace touched_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@ void PrintTo(const PassTraffic& t, std::ostream* out) {
          << ", texture " << t.textureWritten << ", bus " << t.busBytes;
 }
 
-namespace {
+namespace traffic_test {
 
 using enum BlendFactor;
 
@@ -124,5 +124,5 @@ TEST(TrafficOfCopy, IsMemoryOrBusOrNothing) {
     EXPECT_EQ(trafficOf(colour, chip("ps2"), amount), PassTraffic{});
 }
 
-}  // namespace
+}  // namespace traffic_test
 }  // namespace gnomon

@@ -13,7 +13,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace bounded_test {
 
 constexpr int kWidth = 64, kHeight = 48;
 
@@ -372,5 +372,5 @@ TEST(MaskOutside, StandsForPixelsOfWhichNoMaskIsDrawn) {
     }
 }
 
-}  // namespace
+}  // namespace bounded_test
 }  // namespace gnomon

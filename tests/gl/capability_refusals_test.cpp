@@ -10,7 +10,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace capability_refusals_test {
 
 using testing::Contains;
 using testing::Not;
@@ -208,5 +208,5 @@ TEST(RealDriver, NeverSeesARefusedCall) {
     EXPECT_EQ(surface.driver().GetError(), GLenum(GL_NO_ERROR));
 }
 
-}  // namespace
+}  // namespace capability_refusals_test
 }  // namespace gnomon

@@ -18,7 +18,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace capability_test {
 
 using testing::Contains;
 using testing::HasSubstr;
@@ -510,5 +510,5 @@ TEST(Ideal, LetsEachProbeReachTheDriver) {
     }
 }
 
-}  // namespace
+}  // namespace capability_test
 }  // namespace gnomon

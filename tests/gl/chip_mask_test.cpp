@@ -16,7 +16,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace chip_mask_test {
 
 constexpr int kWidth = 160, kHeight = 120;
 
@@ -196,5 +196,5 @@ INSTANTIATE_TEST_SUITE_P(
         return text;
     });
 
-}  // namespace
+}  // namespace chip_mask_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace counter_test {
 
 constexpr std::array<float, 8> kWindow{-1, -1, 1, -1, 1, 1, -1, 1};
 constexpr std::array<float, 8> kHalfWindow{-1, -1, 0, -1, 0, 1, -1, 1};
@@ -199,5 +199,5 @@ INSTANTIATE_TEST_SUITE_P(Roettger2002, Table1,
                              return id;
                          });
 
-}  // namespace
+}  // namespace counter_test
 }  // namespace gnomon

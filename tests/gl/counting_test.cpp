@@ -14,7 +14,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace counting_test {
 
 using testing::Each;
 
@@ -417,5 +417,5 @@ TEST(TwoLights, LookAlikeWhicheverBufferHoldsTheMask) {
     }
 }
 
-}  // namespace
+}  // namespace counting_test
 }  // namespace gnomon

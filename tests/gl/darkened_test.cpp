@@ -17,7 +17,7 @@ void PrintTo(const WindowRect& r, std::ostream* out) {
     *out << r.x << "," << r.y << " " << r.width << "x" << r.height;
 }
 
-namespace {
+namespace darkened_test {
 
 /// A driver whose frame buffer is lit but for some pixels.
 GlTable reading(std::vector<glm::ivec2> dark) {
@@ -117,5 +117,5 @@ TEST(MaskRectangle, IsDrawnWholeWhereItsSamplesAreCounted) {
     EXPECT_EQ(render(surface, ideal, plan, frame.surfaces, frame.lights()).image.data, counted.image.data);
 }
 
-}  // namespace
+}  // namespace darkened_test
 }  // namespace gnomon

@@ -17,7 +17,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace device_test {
 
 using testing::HasSubstr;
 
@@ -362,5 +362,5 @@ TEST(Devices, DrawTheSameBitsWithMesasRasteriser) {
     EXPECT_GT(frames, 80);
 }
 
-}  // namespace
+}  // namespace device_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "test_surface.h"
 
 namespace gnomon {
-namespace {
+namespace emulated_frame_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -367,5 +367,5 @@ TEST(EmulatedFrame, LeavesOpaqueDrawsOf8888Alone) {
     EXPECT_EQ(gl.CreateProgram(), next + 1) << "an opaque draw needs none";
 }
 
-}  // namespace
+}  // namespace emulated_frame_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "test_surface.h"
 
 namespace gnomon {
-namespace {
+namespace emulation_test {
 
 constexpr int kSide = 256;
 
@@ -306,5 +306,5 @@ INSTANTIATE_TEST_SUITE_P(
         return fmt::format("{}_{}_{}", name(c.unit), c.format, name(c.dither));
     });
 
-}  // namespace
+}  // namespace emulation_test
 }  // namespace gnomon

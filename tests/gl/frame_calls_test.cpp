@@ -10,7 +10,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace frame_calls_test {
 
 constexpr int kWidth = 20, kHeight = 12;
 
@@ -67,5 +67,5 @@ TEST(FrameCalls, LeadToADriverThatIsDecoratedAfterAFrame) {
     EXPECT_EQ(second.passes, first.passes);
 }
 
-}  // namespace
+}  // namespace frame_calls_test
 }  // namespace gnomon

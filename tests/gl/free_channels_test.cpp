@@ -15,7 +15,7 @@ void PrintTo(const FreeChannels& free, std::ostream* out) {
     *out << (free.alpha ? "alpha " : "") << (free.stencil ? "stencil" : "");
 }
 
-namespace {
+namespace free_channels_test {
 
 constexpr int kWidth = 20, kHeight = 12;
 
@@ -99,5 +99,5 @@ TEST(FreeChannels, AreClearedWithWhatLiesBeside) {
     }
 }
 
-}  // namespace
+}  // namespace free_channels_test
 }  // namespace gnomon

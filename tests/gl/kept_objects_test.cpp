@@ -11,7 +11,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace kept_objects_test {
 
 /// Entry points that number objects, and remember which were deleted.
 struct Maker {
@@ -188,5 +188,5 @@ TEST(VertexBuffers, AreSentOnceAFrame) {
     }
 }
 
-}  // namespace
+}  // namespace kept_objects_test
 }  // namespace gnomon

@@ -13,7 +13,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace missing_test {
 
 constexpr int kSide = 8;
 
@@ -192,5 +192,5 @@ TEST(Ideal, RunsEveryMethodAtEverySize) {
                 << describe(axes);
 }
 
-}  // namespace
+}  // namespace missing_test
 }  // namespace gnomon

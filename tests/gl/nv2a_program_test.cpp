@@ -13,7 +13,7 @@
 #include "test_surface.h"
 
 namespace gnomon {
-namespace {
+namespace nv2a_program_test {
 
 constexpr int kSide = 256;
 
@@ -89,5 +89,5 @@ TEST(Nv2aPrograms, MakeEveryRecordedResult) {
     EXPECT_GT(compared, 80'000u);
 }
 
-}  // namespace
+}  // namespace nv2a_program_test
 }  // namespace gnomon

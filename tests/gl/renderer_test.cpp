@@ -15,7 +15,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace renderer_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -376,5 +376,5 @@ TEST(Paths, RunOnTheChipsThatTheyAreFor) {
     }
 }
 
-}  // namespace
+}  // namespace renderer_test
 }  // namespace gnomon

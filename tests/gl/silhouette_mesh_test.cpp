@@ -12,7 +12,7 @@
 #include "volume/volume.h"
 
 namespace gnomon {
-namespace {
+namespace silhouette_mesh_test {
 
 /// How often each edge is the side of a volume, from its lower vertex to its higher.
 using Sides = std::map<std::pair<std::uint32_t, std::uint32_t>, int>;
@@ -91,5 +91,5 @@ TEST(SilhouetteMesh, LeavesOutWhatCastsNoShadow) {
     EXPECT_THAT(silhouetteMesh(scene, {0, 9, 0, 1}, viewOf({}, 64, 48)).indices, testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace silhouette_mesh_test
 }  // namespace gnomon

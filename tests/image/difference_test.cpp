@@ -7,7 +7,7 @@
 #include <cmath>
 
 namespace gnomon {
-namespace {
+namespace difference_test {
 
 Image grey(int width, int height, std::uint8_t value) {
     return {width, height, 3, std::vector<std::uint8_t>(std::size_t(width) * height * 3, value)};
@@ -45,5 +45,5 @@ TEST(MeanSquaredDifference, TakesPixelsThatAreLeftOutForTheSame) {
     EXPECT_EQ(meanSquaredDifference(one, grey(4, 4, 0), leftOut), 0);
 }
 
-}  // namespace
+}  // namespace difference_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include <random>
 
 namespace gnomon {
-namespace {
+namespace distance_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -56,5 +56,5 @@ TEST(SquaredDistances, DoNotOverflowAlongAWideRow) {
     EXPECT_EQ(squaredDistances(isIn, 1, 100'000).back(), std::int64_t(99'999) * 99'999);
 }
 
-}  // namespace
+}  // namespace distance_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "image/whole_file.h"
 
 namespace gnomon {
-namespace {
+namespace image_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -123,5 +123,5 @@ TEST_F(ImageFile, ThatIsMissingOrBrokenIsRefusedInOneLine) {
     EXPECT_EQ(error.find('\n'), std::string::npos) << error;
 }
 
-}  // namespace
+}  // namespace image_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "image/sixel.h"
 
 namespace gnomon {
-namespace {
+namespace terminal_picture_test {
 
 using testing::ElementsAre;
 using testing::StartsWith;
@@ -219,5 +219,5 @@ TEST(PaletteOf, NeverHasMoreThanAsked) {
     EXPECT_EQ(sixel(image), sixel(image));
 }
 
-}  // namespace
+}  // namespace terminal_picture_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "process/interrupt.h"
 
 namespace gnomon {
-namespace {
+namespace whole_file_test {
 
 /// A folder that is removed afterwards.
 class WriteWhole : public testing::Test {
@@ -82,5 +82,5 @@ TEST_F(WriteWhole, LeavesNothingOfWhatThrows) {
     EXPECT_THAT(files(), testing::IsEmpty());
 }
 
-}  // namespace
+}  // namespace whole_file_test
 }  // namespace gnomon

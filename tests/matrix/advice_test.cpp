@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace advice_test {
 
 using testing::ElementsAre;
 
@@ -85,5 +85,5 @@ TEST(Advice, KnowsNothingCheaperThanTheCheapest) {
     EXPECT_FALSE(advice.nextCheaper());
 }
 
-}  // namespace
+}  // namespace advice_test
 }  // namespace gnomon

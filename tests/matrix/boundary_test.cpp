@@ -6,7 +6,7 @@
 #include <random>
 
 namespace gnomon {
-namespace {
+namespace boundary_test {
 
 /// Lit and in shadow in blots: a pixel is as its left neighbour is, mostly.
 Truth blots(int width, int height, unsigned seed) {
@@ -48,5 +48,5 @@ TEST(Boundary, IsNearWhereBothClassesAreWithinReach) {
     EXPECT_GT(far, 5000);
 }
 
-}  // namespace
+}  // namespace boundary_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "predict/bounded_plan.h"
 
 namespace gnomon {
-namespace {
+namespace bounded_frame_test {
 
 /// For each volume that is drawn, the rectangle of pixels in which it holds what is seen, or may.
 MaskWindow boundsOf(const FaultRig& rig) {
@@ -93,5 +93,5 @@ TEST_P(BoundedFrame, IsPredictedWhereARectangleIsTooSmall) {
     EXPECT_GT(rig.unpredictedBy([&](Belief& belief) { belief.plan = whole; }), 20);
 }
 
-}  // namespace
+}  // namespace bounded_frame_test
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace cell_json_test {
 
 using testing::ElementsAreArray;
 using Json = nlohmann::ordered_json;
@@ -194,5 +194,5 @@ TEST(CellJson, RefusesWhatIsNoCell) {
     EXPECT_THROW(cellFromJson(json), nlohmann::json::exception);
 }
 
-}  // namespace
+}  // namespace cell_json_test
 }  // namespace gnomon

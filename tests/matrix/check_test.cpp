@@ -12,7 +12,7 @@
 #include "matrix/cause_reason.h"
 
 namespace gnomon {
-namespace {
+namespace check_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -222,5 +222,5 @@ TEST(ReasonOf, IsThereForEveryCause) {
     EXPECT_THAT(reasonOf(Cause::NearPlaneCuts), HasSubstr("near plane"));
 }
 
-}  // namespace
+}  // namespace check_test
 }  // namespace gnomon

@@ -7,7 +7,7 @@
 #include "shipped_scenes.h"
 
 namespace gnomon {
-namespace {
+namespace choice_test {
 
 class ChosenMethods : public testing::TestWithParam<std::string> {};
 
@@ -96,5 +96,5 @@ TEST(Choice, HasTheLevelsThatTheFrameCallsFor) {
     EXPECT_EQ(choice.proof, Proof::Predicted);
 }
 
-}  // namespace
+}  // namespace choice_test
 }  // namespace gnomon

@@ -13,7 +13,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace counting_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -389,5 +389,5 @@ TEST(DepthMap, IsWrongAtMostNearShadowEdges) {
     EXPECT_LT(coarse.wrongEdge + coarse.wrongInterior, (none.wrongEdge + none.wrongInterior) / 2);
 }
 
-}  // namespace
+}  // namespace counting_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace device_test {
 
 using testing::HasSubstr;
 
@@ -49,5 +49,5 @@ TEST(LabDevice, KeepsNoResultOfAnother) {
     EXPECT_EQ(drawn(Device::Osmesa), "osmesa");
 }
 
-}  // namespace
+}  // namespace device_test
 }  // namespace gnomon

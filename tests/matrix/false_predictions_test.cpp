@@ -10,7 +10,7 @@
 #include "fault_set_ups.h"
 
 namespace gnomon {
-namespace {
+namespace false_predictions_test {
 
 // ---- The predictor: a frame without a fault, a belief with one ----
 
@@ -204,5 +204,5 @@ TEST(FalsePredictions, AreEnoughOfEachKind) {
     EXPECT_GE(wrongPlans().size(), 6u);
 }
 
-}  // namespace
+}  // namespace false_predictions_test
 }  // namespace gnomon

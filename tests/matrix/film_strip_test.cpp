@@ -8,7 +8,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace film_strip_test {
 
 constexpr int kWidth = 40, kHeight = 30;
 
@@ -80,5 +80,5 @@ TEST(FilmStrip, IsOfThePlanThatTheLabDraws) {
     EXPECT_FALSE(least.windows.empty());
 }
 
-}  // namespace
+}  // namespace film_strip_test
 }  // namespace gnomon

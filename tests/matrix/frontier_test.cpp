@@ -13,7 +13,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace frontier_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -238,5 +238,5 @@ TEST(CostStudy, SaysWhatAChipLacksInsteadOfDrawing) {
     EXPECT_EQ(study.rows.back().setting.name, "carmack");
 }
 
-}  // namespace
+}  // namespace frontier_test
 }  // namespace gnomon

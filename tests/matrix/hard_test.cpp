@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace hard_test {
 
 const std::filesystem::path kScenes = kSource / "scenes";
 
@@ -180,5 +180,5 @@ TEST(HardSuite, ShowsTheAmbientPartWithoutALight) {
     EXPECT_EQ(pictures.judgement.pixels.size(), 64u * 48);
 }
 
-}  // namespace
+}  // namespace hard_test
 }  // namespace gnomon

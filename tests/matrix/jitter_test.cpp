@@ -13,7 +13,7 @@
 #include "variants.h"
 
 namespace gnomon {
-namespace {
+namespace jitter_test {
 
 constexpr int kMotions = 5;  ///< unless the environment says otherwise
 
@@ -136,5 +136,5 @@ TEST_P(JitteredScenes, TurnNoUntiedPixelWrongOrRight) {
 INSTANTIATE_TEST_SUITE_P(Groups, JitteredScenes, testing::ValuesIn(stableSceneGroups()),
                          [](const auto& test) { return testNameOf(test.param); });
 
-}  // namespace
+}  // namespace jitter_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace gnomon {
-namespace {
+namespace judge_test {
 
 using testing::Each;
 using testing::ElementsAre;
@@ -210,5 +210,5 @@ TEST(ShadowPicture, IsBlackWhereMaskOrSeenSideIsDark) {
     EXPECT_EQ(picture, (Image{3, 2, 1, {255, 255, 0, 0, 0, 0}}));
 }
 
-}  // namespace
+}  // namespace judge_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace lab_test {
 
 using testing::AllOf;
 using testing::Contains;
@@ -377,5 +377,5 @@ INSTANTIATE_TEST_SUITE_P(Shared, RealMesh,
                              return name;
                          });
 
-}  // namespace
+}  // namespace lab_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace mask_counts_test {
 
 using testing::ElementsAre;
 using testing::Pair;
@@ -178,5 +178,5 @@ TEST(DeepNests, WrapOrSaturateAStencil) {
               "exact 0/0");
 }
 
-}  // namespace
+}  // namespace mask_counts_test
 }  // namespace gnomon

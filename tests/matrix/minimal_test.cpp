@@ -9,7 +9,7 @@
 #include "shipped_scenes.h"
 
 namespace gnomon {
-namespace {
+namespace minimal_test {
 
 struct Shown {
     Cell cell{};
@@ -105,5 +105,5 @@ TEST(MinimalPlan, IsTheFullOneWithAnyEffectsKept) {
     }
 }
 
-}  // namespace
+}  // namespace minimal_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "fault_set_ups.h"
 
 namespace gnomon {
-namespace {
+namespace planted_faults_test {
 
 /// A fault in what is drawn.
 struct Fault {
@@ -442,5 +442,5 @@ TEST(PlantedFaults, AreAtLeastThirtyAndInEveryPart) {
     EXPECT_GE(readOutFaults().size(), 4u);
 }
 
-}  // namespace
+}  // namespace planted_faults_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "process/die_of.h"
 
 namespace gnomon {
-namespace {
+namespace pool_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -140,5 +140,5 @@ TEST(RunJobs, LosesOnlyTheJobThatFails) {
     EXPECT_EQ(ends[4].error, "what");
 }
 
-}  // namespace
+}  // namespace pool_test
 }  // namespace gnomon

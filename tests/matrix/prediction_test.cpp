@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace prediction_test {
 
 int causesIn(const Cell& cell) {
     return std::accumulate(cell.causes.begin(), cell.causes.end(), 0,
@@ -74,5 +74,5 @@ TEST(PredictedFrame, OfAnEmptySceneDependOnNoCellBefore) {
     }
 }
 
-}  // namespace
+}  // namespace prediction_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace run_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -152,5 +152,5 @@ TEST(RunMatrix, FailsOneCellOfAGroupAlone) {
     }
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace gnomon

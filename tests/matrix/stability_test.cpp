@@ -15,7 +15,7 @@
 #include "variants.h"
 
 namespace gnomon {
-namespace {
+namespace stability_test {
 
 std::vector<Way> ways() {
     std::vector<Way> all;
@@ -122,5 +122,5 @@ TEST_P(StableScenes, ShowTheSameHoweverTheyAreTold) {
 INSTANTIATE_TEST_SUITE_P(Groups, StableScenes, testing::ValuesIn(stableSceneGroups()),
                          [](const auto& test) { return testNameOf(test.param); });
 
-}  // namespace
+}  // namespace stability_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace worker_faults_test {
 
 using testing::MatchesRegex;
 using testing::StartsWith;
@@ -126,5 +126,5 @@ TEST(WorkerFaults, NoTimeFailsEveryCell) {
     }
 }
 
-}  // namespace
+}  // namespace worker_faults_test
 }  // namespace gnomon

@@ -10,7 +10,7 @@
 #include "profile/frame_channel.h"
 
 namespace gnomon {
-namespace {
+namespace capacity_test {
 
 using Of = Capacity::Of;
 
@@ -131,5 +131,5 @@ TEST(NestingWarning, IsNotThereUpToTheCapacity) {
     EXPECT_EQ(nestingWarning(capacityOf("none"), {.fronts = 9, .overlap = 9, .levels = 9}), std::nullopt);
 }
 
-}  // namespace
+}  // namespace capacity_test
 }  // namespace gnomon

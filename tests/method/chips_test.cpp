@@ -10,7 +10,7 @@
 #include "method/method.h"
 
 namespace gnomon {
-namespace {
+namespace chips_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -127,5 +127,5 @@ TEST(Chips, DrawTheUnshadowedSceneIfTheyHaveDepth) {
             EXPECT_THAT(lacks(id, "none"), IsEmpty()) << id;
 }
 
-}  // namespace
+}  // namespace chips_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 namespace gnomon {
-namespace {
+namespace from_words_test {
 
 std::string errorOf(const std::string& method, const std::map<std::string, std::string>& options) {
     try {
@@ -48,5 +48,5 @@ TEST(AxesFromWords, SayWhatIsWrong) {
     EXPECT_EQ(errorOf("carmack", {{"arithmetic", "double"}}), "a stencil can't double: only count or parity");
 }
 
-}  // namespace
+}  // namespace from_words_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "profile/frame_channel.h"
 
 namespace gnomon {
-namespace {
+namespace mask_counts_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -413,5 +413,5 @@ TEST(MaskCount, StartsAnewForEachLight) {
         }
 }
 
-}  // namespace
+}  // namespace mask_counts_test
 }  // namespace gnomon

@@ -10,7 +10,7 @@
 #include <set>
 
 namespace gnomon {
-namespace {
+namespace method_test {
 
 using testing::ContainsRegex;
 using testing::ElementsAre;
@@ -377,5 +377,5 @@ TEST(MaskScaleName, IsAFraction) {
     EXPECT_EQ(maskScaleName(4), "1/4");
 }
 
-}  // namespace
+}  // namespace method_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "plans.h"
 
 namespace gnomon {
-namespace {
+namespace plan_counts_test {
 
 using testing::ElementsAre;
 
@@ -279,5 +279,5 @@ TEST(Levels, AreRefusedWhereTheChannelHasTooFewBits) {
     }
 }
 
-}  // namespace
+}  // namespace plan_counts_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "plans.h"
 
 namespace gnomon {
-namespace {
+namespace plan_frame_test {
 
 using testing::ElementsAre;
 
@@ -263,5 +263,5 @@ TEST(Paths, AreThoseThatTheChipsLeave) {
                 ElementsAre("heidmann", "roettger-alpha", "roettger-screen", "screen-texture"));
 }
 
-}  // namespace
+}  // namespace plan_frame_test
 }  // namespace gnomon

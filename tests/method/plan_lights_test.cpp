@@ -8,7 +8,7 @@
 #include "plans.h"
 
 namespace gnomon {
-namespace {
+namespace plan_lights_test {
 
 using testing::ElementsAre;
 
@@ -108,5 +108,5 @@ TEST(SeveralLights, AreRefusedOnTheScreenWhereTheFrameIsTooLargeATexture) {
     EXPECT_EQ(lacks[0].what, "a texture of 512x256 for the frame so far (256 at most)");
 }
 
-}  // namespace
+}  // namespace plan_lights_test
 }  // namespace gnomon

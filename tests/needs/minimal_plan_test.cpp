@@ -8,7 +8,7 @@
 #include "profile/shipped.h"
 
 namespace gnomon {
-namespace {
+namespace minimal_plan_test {
 
 using testing::HasSubstr;
 
@@ -222,5 +222,5 @@ TEST(EffectWords, AreReadAsTheyAreWritten) {
     EXPECT_EQ(effectsFrom("ambient,"), std::nullopt);
 }
 
-}  // namespace
+}  // namespace minimal_plan_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "volume/near_cap.h"
 
 namespace gnomon {
-namespace {
+namespace reach_test {
 
 /// Where a volume comes from.
 struct VolumeOrigin {
@@ -401,5 +401,5 @@ TEST(SurfaceDistance, IsInfiniteWhereNothingIsSeen) {
     EXPECT_EQ(surfaceDistanceOf({boxAt({1, 1, 1}, {0, 20, 0})}), std::numeric_limits<double>::infinity());
 }
 
-}  // namespace
+}  // namespace reach_test
 }  // namespace gnomon

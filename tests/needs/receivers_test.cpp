@@ -8,7 +8,7 @@
 #include "random_scenes.h"
 
 namespace gnomon {
-namespace {
+namespace receivers_test {
 
 /// An affine function over the window through three of a patch's corners.
 struct Over {
@@ -142,5 +142,5 @@ TEST(Receivers, HaveAFlatBoxOnAFloorAndNoneOnTheBackground) {
     }
 }
 
-}  // namespace
+}  // namespace receivers_test
 }  // namespace gnomon

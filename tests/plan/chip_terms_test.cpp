@@ -12,7 +12,7 @@
 #include "profile/blend.h"
 
 namespace gnomon {
-namespace {
+namespace chip_terms_test {
 
 using enum BlendFactor;
 
@@ -350,5 +350,5 @@ TEST(ChipTerms, BoundAPassWhereTheWordsAreKnown) {
     EXPECT_EQ(added(BlendUnit::Gs), "") << "nothing is drawn";
 }
 
-}  // namespace
+}  // namespace chip_terms_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@ void PrintTo(const Missing& m, std::ostream* out) {
     *out << m.key << ": " << m.what;
 }
 
-namespace {
+namespace missing_test {
 
 using testing::ElementsAre;
 using testing::Field;
@@ -484,5 +484,5 @@ TEST(FrameBytes, HoldFramesBeyondTwoGibibytes) {
     EXPECT_EQ(frameBytes(p, 65536, 65536), std::int64_t(12) << 32);
 }
 
-}  // namespace
+}  // namespace missing_test
 }  // namespace gnomon

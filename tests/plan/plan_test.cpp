@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace plan_test {
 
 TEST(CountPasses, CountsByKindAndLeavesClearsOut) {
     Plan plan;
@@ -265,5 +265,5 @@ TEST(DescribeState, SaysThatARectangleCarriesTheMasksTexture) {
     EXPECT_EQ(describeState(pass), "blend ZERO SRC_COLOR, mask texture, write RGB");
 }
 
-}  // namespace
+}  // namespace plan_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "rays.h"
 
 namespace gnomon {
-namespace {
+namespace bounded_prediction_test {
 
 using testing::ElementsAre;
 
@@ -458,5 +458,5 @@ TEST(Crossings, ThatAreNowhereChangeNothing) {
     EXPECT_THAT(mask.values(0, 0), ElementsAre(0, 1));
 }
 
-}  // namespace
+}  // namespace bounded_prediction_test
 }  // namespace gnomon

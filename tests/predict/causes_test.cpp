@@ -9,7 +9,7 @@
 #include "rays.h"
 
 namespace gnomon {
-namespace {
+namespace causes_test {
 
 /// One pixel of which truth says whether it is blocked, and what its mask is made of.
 struct Pixel {
@@ -193,5 +193,5 @@ TEST(Causes, Unexplained) {
     EXPECT_EQ(pixel.cause(), Cause::Unexplained);
 }
 
-}  // namespace
+}  // namespace causes_test
 }  // namespace gnomon

@@ -12,7 +12,7 @@
 #include <vector>
 
 namespace gnomon {
-namespace {
+namespace cone_test {
 
 constexpr int kWidth = 40, kHeight = 30;
 
@@ -290,5 +290,5 @@ TEST(Cone, IsEmptyWhereTheEyeLiesInItsPlane) {
     EXPECT_FALSE(Cone::side(view, {1, 0, 0}, {1, 1, 2}, {3, 0, 1, 1}).isEmpty());
 }
 
-}  // namespace
+}  // namespace cone_test
 }  // namespace gnomon

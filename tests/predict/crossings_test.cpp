@@ -12,7 +12,7 @@
 #include "truth/scenes.h"
 
 namespace gnomon {
-namespace {
+namespace crossings_test {
 
 constexpr int kWidth = 72, kHeight = 54;
 
@@ -170,5 +170,5 @@ TEST(VolumeCount, IsOfCastersThatHaveLitTrianglesOrEachOfThese) {
     EXPECT_EQ(volumeCount(lit), 3u);
 }
 
-}  // namespace
+}  // namespace crossings_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "scene/primitives.h"
 
 namespace gnomon {
-namespace {
+namespace map_prediction_test {
 
 Object placed(Mesh mesh, const glm::vec3& at, bool casts = true) {
     for (glm::vec3& p : mesh.positions) p += at;
@@ -261,5 +261,5 @@ TEST(MapPrediction, CasterBeforeTheMapsNearPlaneIsLeftOut) {
     EXPECT_EQ(std::count(causes.begin(), causes.end(), Cause::Unexplained), 0);
 }
 
-}  // namespace
+}  // namespace map_prediction_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "rays.h"
 
 namespace gnomon {
-namespace {
+namespace mask_prediction_test {
 
 using testing::ElementsAre;
 
@@ -314,5 +314,5 @@ TEST(WindowPrediction, StretchesAMaskOfFewerPixels) {
     }
 }
 
-}  // namespace
+}  // namespace mask_prediction_test
 }  // namespace gnomon

@@ -15,7 +15,7 @@
 #include "process/message.h"
 
 namespace gnomon {
-namespace {
+namespace child_test {
 
 using testing::StartsWith;
 
@@ -101,5 +101,5 @@ TEST(StartChild, DiesWithItsParent) {
     close(ends[0]);
 }
 
-}  // namespace
+}  // namespace child_test
 }  // namespace gnomon

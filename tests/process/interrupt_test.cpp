@@ -10,7 +10,7 @@
 #include <functional>
 
 namespace gnomon {
-namespace {
+namespace interrupt_test {
 
 /// Exit status of a process that does @p work; 0 if it comes to its end.
 int statusOf(const std::function<void()>& work) {
@@ -63,5 +63,5 @@ TEST(InterruptsHeld, LetTheWorkEndFirst) {
               1);
 }
 
-}  // namespace
+}  // namespace interrupt_test
 }  // namespace gnomon

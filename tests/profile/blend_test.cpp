@@ -13,7 +13,7 @@
 #include "profile/words.h"
 
 namespace gnomon {
-namespace {
+namespace blend_test {
 
 using testing::Optional;
 using enum BlendUnit;
@@ -573,5 +573,5 @@ TEST(Factors, OfAPixelAreThoseOfItsChannel) {
               Weight::of(175));
 }
 
-}  // namespace
+}  // namespace blend_test
 }  // namespace gnomon

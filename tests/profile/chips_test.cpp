@@ -17,7 +17,7 @@
 #include "shipped.h"
 
 namespace gnomon {
-namespace {
+namespace chips_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -516,5 +516,5 @@ TEST(Chips, LoseAlphaAndStencilIn565) {
     }
 }
 
-}  // namespace
+}  // namespace chips_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "shipped.h"
 
 namespace gnomon {
-namespace {
+namespace consoles_test {
 
 using testing::Contains;
 using testing::ElementsAre;
@@ -106,5 +106,5 @@ TEST(Ds, IsSmallerThanTheUsualFrame) {
     EXPECT_EQ(chip("ds").maxHeight, 192);
 }
 
-}  // namespace
+}  // namespace consoles_test
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <map>
 
 namespace gnomon {
-namespace {
+namespace depth_test {
 
 TEST(LinearDepth, EndsAtZeroAndTheLargestCode) {
     for (const int bits : {15, 16, 24}) {
@@ -99,5 +99,5 @@ TEST(N64Depth, HasFinerStepsFarAway) {
     EXPECT_EQ(n64DepthRead((1 << 14) - 2), 0x3fffeu);
 }
 
-}  // namespace
+}  // namespace depth_test
 }  // namespace gnomon

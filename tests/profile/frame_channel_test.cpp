@@ -12,7 +12,7 @@
 #include "profile/words.h"
 
 namespace gnomon {
-namespace {
+namespace frame_channel_test {
 
 using testing::ElementsAre;
 using testing::ElementsAreArray;
@@ -546,5 +546,5 @@ TEST(BlendInto, ReadsAlphaOfOneBit) {
     }
 }
 
-}  // namespace
+}  // namespace frame_channel_test
 }  // namespace gnomon

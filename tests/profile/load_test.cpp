@@ -9,7 +9,7 @@
 #include "profile/profile.h"
 
 namespace gnomon {
-namespace {
+namespace load_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -564,5 +564,5 @@ TEST(ProfileIds, AreSortedStemsOfTomlFiles) {
     EXPECT_THROW(profileIds(folder), ProfileError);
 }
 
-}  // namespace
+}  // namespace load_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include "nv2a_recordings.h"
 
 namespace gnomon {
-namespace {
+namespace nv2a_test {
 
 TEST(Nv2a, MakesEveryRecordedResult) {
     const auto rows = nv2a::recordings();
@@ -56,5 +56,5 @@ TEST(Nv2a, KeepsWhiteIn565) {
     }
 }
 
-}  // namespace
+}  // namespace nv2a_test
 }  // namespace gnomon

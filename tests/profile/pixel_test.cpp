@@ -11,7 +11,7 @@
 #include "profile/words.h"
 
 namespace gnomon {
-namespace {
+namespace pixel_test {
 
 constexpr std::array kBits{1, 2, 3, 4, 5, 6, 7, 8};
 
@@ -219,5 +219,5 @@ TEST(DitherCell, IsThatOfTheModeEverywhere) {
         }
 }
 
-}  // namespace
+}  // namespace pixel_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "profile/words.h"
 
 namespace gnomon {
-namespace {
+namespace prove_test {
 
 using testing::ElementsAre;
 using testing::Optional;
@@ -446,5 +446,5 @@ INSTANTIATE_TEST_SUITE_P(Prove, EachOrder, testing::Values(Volume, FrontsFirst, 
                              return word;
                          });
 
-}  // namespace
+}  // namespace prove_test
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <set>
 
 namespace gnomon {
-namespace {
+namespace words_test {
 
 /// Each enumeration with its last word: a word added behind it without a name fails here.
 template <class Word, Word last>
@@ -66,5 +66,5 @@ TEST(ColourFormats, HaveTheBitsOfTheirNames) {
     }
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace gnomon

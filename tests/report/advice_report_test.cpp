@@ -12,7 +12,7 @@
 #include "profile/shipped.h"
 
 namespace gnomon {
-namespace {
+namespace advice_report_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -276,5 +276,5 @@ TEST(AdviceCsv, IsALineForEachMethodUnderAHead) {
         "240,1400,,\r");
 }
 
-}  // namespace
+}  // namespace advice_report_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "image/lettering.h"
 
 namespace gnomon {
-namespace {
+namespace cause_picture_test {
 
 Rgb colourAt(const Image& picture, int x, int y) {
     const auto* p = picture.data.data() + 3 * (std::size_t(y) * std::size_t(picture.width) + std::size_t(x));
@@ -55,5 +55,5 @@ TEST(Lettering, HasALetterForEachNameOfACause) {
     EXPECT_NE(written("a"), written("b"));
 }
 
-}  // namespace
+}  // namespace cause_picture_test
 }  // namespace gnomon

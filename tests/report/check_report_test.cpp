@@ -11,7 +11,7 @@
 #include <vector>
 
 namespace gnomon {
-namespace {
+namespace check_report_test {
 
 using testing::ElementsAre;
 using testing::EndsWith;
@@ -124,5 +124,5 @@ TEST(CheckJUnit, HasNoControlCharacters) {
     elementsOf(xml);
 }
 
-}  // namespace
+}  // namespace check_report_test
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace cost_notes_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -59,5 +59,5 @@ TEST(MsText, IsADashForNoTime) {
     EXPECT_EQ(limitText({}), "-");
 }
 
-}  // namespace
+}  // namespace cost_notes_test
 }  // namespace gnomon

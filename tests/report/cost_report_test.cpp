@@ -10,7 +10,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace cost_report_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -222,5 +222,5 @@ TEST(CostPlots, AreMeansOfFrames) {
     EXPECT_NEAR(seriesOf(plots[1], "stencil").points[0].x, 157 / 200.0, 1e-12);
 }
 
-}  // namespace
+}  // namespace cost_report_test
 }  // namespace gnomon

@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace device_listing_test {
 
 using testing::HasSubstr;
 
@@ -34,5 +34,5 @@ TEST(DeviceText, IsNothingForTheDefault) {
     }
 }
 
-}  // namespace
+}  // namespace device_listing_test
 }  // namespace gnomon

@@ -20,7 +20,7 @@
 #include "gl/tools.h"
 
 namespace gnomon {
-namespace {
+namespace gl_listing_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -526,5 +526,5 @@ TEST(GlListing, SaysHowManyVolumePassesAreLikeTheOthers) {
     EXPECT_EQ(text.find("of volume 4"), std::string::npos);
 }
 
-}  // namespace
+}  // namespace gl_listing_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace json_csv_test {
 
 using Json = nlohmann::ordered_json;
 
@@ -19,5 +19,5 @@ TEST(JsonCsv, SaysWhatAListOfObjectsIsAbout) {
     EXPECT_EQ(csvOf(rows), "missing\r\nstencil; depth\r\n");
 }
 
-}  // namespace
+}  // namespace json_csv_test
 }  // namespace gnomon

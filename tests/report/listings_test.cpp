@@ -8,7 +8,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace listings_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -127,5 +127,5 @@ TEST(ListScenes, ShowsThePromisesOfOneHardCaseAsCommands) {
     EXPECT_FALSE(json[0]["exact"][0].contains("cause"));
 }
 
-}  // namespace
+}  // namespace listings_test
 }  // namespace gnomon

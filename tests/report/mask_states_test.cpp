@@ -10,7 +10,7 @@
 #include "report/small_run.h"
 
 namespace gnomon {
-namespace {
+namespace mask_states_test {
 
 using testing::ElementsAre;
 
@@ -59,5 +59,5 @@ TEST(MaskStates, OfARunAreThoseOfItsMethodsEachOnce) {
                                    "roettger-screen on voodoo2: double in 5 bits, up to 3 volumes open"));
 }
 
-}  // namespace
+}  // namespace mask_states_test
 }  // namespace gnomon

@@ -10,7 +10,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace matrix_report_test {
 
 using testing::AllOf;
 using testing::Each;
@@ -306,5 +306,5 @@ TEST(MatrixCsv, PutsEachValueUnderItsHead) {
     EXPECT_EQ(field(8, "causes"), "no shadow is drawn 40");
 }
 
-}  // namespace
+}  // namespace matrix_report_test
 }  // namespace gnomon

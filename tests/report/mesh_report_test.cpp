@@ -10,7 +10,7 @@
 #include "scene/primitives.h"
 
 namespace gnomon {
-namespace {
+namespace mesh_report_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -127,5 +127,5 @@ TEST(MeshReport, CsvHasALinePerLightsAndSilhouette) {
     for (const std::string& line : lines) EXPECT_EQ(commas(line), commas(lines[0])) << line;
 }
 
-}  // namespace
+}  // namespace mesh_report_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "report/unpack.h"
 
 namespace gnomon {
-namespace {
+namespace picture_pack_test {
 
 /// A picture whose bytes follow from @p seed: runs of equal bytes, and every value.
 Image pictureOf(int width, int height, int channels, unsigned seed) {
@@ -139,5 +139,5 @@ TEST(PicturePack, ADifferenceTakesLessThanThePicture) {
     EXPECT_LT(beside.chunks()[1].deflated.size() * 10, alone.chunks()[0].deflated.size());
 }
 
-}  // namespace
+}  // namespace picture_pack_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "report/listings.h"
 
 namespace gnomon {
-namespace {
+namespace plan_listing_test {
 
 using testing::HasSubstr;
 using Json = nlohmann::ordered_json;
@@ -61,5 +61,5 @@ TEST(PlanListing, SaysNothingOfAChipWithoutTerms) {
     EXPECT_EQ(Json::parse(showPlans({s}, Format::Json))[0]["passes"][1]["chip_terms"], "");
 }
 
-}  // namespace
+}  // namespace plan_listing_test
 }  // namespace gnomon

@@ -12,7 +12,7 @@
 #include "report/listings.h"
 
 namespace gnomon {
-namespace {
+namespace plan_notes_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -233,5 +233,5 @@ TEST(ExplainedPlan, TellsTheTimeOfEachPassWhereTheChipHasRates) {
                 AllOf(HasSubstr(",model_ms,model_limit\r\n"), HasSubstr(",100,0.25,fill\r\n")));
 }
 
-}  // namespace
+}  // namespace plan_notes_test
 }  // namespace gnomon

@@ -20,7 +20,7 @@
 #include "report/plot_scale.h"
 
 namespace gnomon {
-namespace {
+namespace plot_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -280,5 +280,5 @@ TEST_F(PlotFile, AppearsWholeOrNotAtAll) {
     }
 }
 
-}  // namespace
+}  // namespace plot_test
 }  // namespace gnomon

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace progress_bar_test {
 
 using testing::EndsWith;
 using testing::HasSubstr;
@@ -93,5 +93,5 @@ TEST(ProgressBar, TakesEachNewWidthOfTheTerminal) {
     EXPECT_EQ(bar.draw({.done = 1, .all = 2}, 1, 16).value(), "\r\x1b[K1/2, 0 failed");
 }
 
-}  // namespace
+}  // namespace progress_bar_test
 }  // namespace gnomon

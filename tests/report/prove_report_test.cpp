@@ -10,7 +10,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace prove_report_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -147,5 +147,5 @@ TEST(ShowProofs, WritesEveryFieldAsJsonAndCsv) {
             << line;
 }
 
-}  // namespace
+}  // namespace prove_report_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 namespace gnomon {
-namespace {
+namespace reproduce_aldridge_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -53,5 +53,5 @@ TEST(ShowAldridge, AsCsvIsOneTable) {
     EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 3);
 }
 
-}  // namespace
+}  // namespace reproduce_aldridge_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 namespace gnomon {
-namespace {
+namespace reproduce_kolivand2011_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -71,5 +71,5 @@ TEST(ShowKolivand, AsJsonHasEveryFigure) {
     EXPECT_EQ(all[0]["rows"][0]["published"]["fps"], 71.47);
 }
 
-}  // namespace
+}  // namespace reproduce_kolivand2011_test
 }  // namespace gnomon

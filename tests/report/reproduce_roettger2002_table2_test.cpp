@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 namespace gnomon {
-namespace {
+namespace reproduce_roettger2002_table2_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -166,5 +166,5 @@ TEST(Table2Text, SaysOfEachOrderWhetherItIsAsPublished) {
     EXPECT_NEAR(json["fits"][1]["volume_fragments"].get<double>(), 17, 0.02);
 }
 
-}  // namespace
+}  // namespace reproduce_roettger2002_table2_test
 }  // namespace gnomon

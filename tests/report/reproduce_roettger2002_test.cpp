@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 namespace gnomon {
-namespace {
+namespace reproduce_roettger2002_test {
 
 using testing::AllOf;
 using testing::ElementsAre;
@@ -74,5 +74,5 @@ TEST(ShowComparisons, SaysWhereFiguresDiffer) {
     EXPECT_EQ(json[1]["counted"].dump(), R"({"rectangle":5,"scene":1})");
 }
 
-}  // namespace
+}  // namespace reproduce_roettger2002_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 namespace gnomon {
-namespace {
+namespace reproduce_usta2019_test {
 
 using testing::AllOf;
 using testing::HasSubstr;
@@ -80,5 +80,5 @@ TEST(UstaPlots, HaveAPanelPerBuilderAndOneLinePerMethod) {
     EXPECT_EQ(plots[1].series[2].points[1].y, 10);
 }
 
-}  // namespace
+}  // namespace reproduce_usta2019_test
 }  // namespace gnomon

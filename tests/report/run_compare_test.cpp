@@ -8,7 +8,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace run_compare_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -142,5 +142,5 @@ TEST(RunCompare, TellsCellsOfOneIdApart) {
     EXPECT_THAT(changesBetween({black, half}, {half, black}), IsEmpty());
 }
 
-}  // namespace
+}  // namespace run_compare_test
 }  // namespace gnomon

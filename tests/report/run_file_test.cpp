@@ -12,7 +12,7 @@
 #include "report/matrix_report.h"
 
 namespace gnomon {
-namespace {
+namespace run_file_test {
 
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -184,5 +184,5 @@ INSTANTIATE_TEST_SUITE_P(
         Damage{"NewLine", [](Json& j) { j["a\nb"] = 3; }, "unknown key 'a b'"}),
     [](const auto& test) { return test.param.what; });
 
-}  // namespace
+}  // namespace run_file_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #include "report/unpack.h"
 
 namespace gnomon {
-namespace {
+namespace run_pictures_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -221,5 +221,5 @@ TEST(FittedPictures, KeepWhatIsNewestAndStillDecode) {
     EXPECT_TRUE(fitted(drawn(), 0).pictures.empty());
 }
 
-}  // namespace
+}  // namespace run_pictures_test
 }  // namespace gnomon

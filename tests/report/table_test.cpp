@@ -10,7 +10,7 @@
 #include <sstream>
 
 namespace gnomon {
-namespace {
+namespace table_test {
 
 TEST(AlignColumns, LinesUpColumnsUnderAnUnderlinedHead) {
     EXPECT_EQ(alignColumns({{"chip", "bits"}, {"voodoo2", "16"}, {"tnt", "24 16"}}),
@@ -167,5 +167,5 @@ TEST(WrapText, LosesNoWord) {
     }
 }
 
-}  // namespace
+}  // namespace table_test
 }  // namespace gnomon

@@ -10,7 +10,7 @@
 #include "report/matrix_report.h"
 
 namespace gnomon {
-namespace {
+namespace verdict_colour_test {
 
 using testing::HasSubstr;
 using testing::Not;
@@ -55,5 +55,5 @@ TEST(MatrixText, IsTheSameInColoursButForTheirSequences) {
     EXPECT_EQ(std::regex_replace(coloured, std::regex("\x1b\\[[0-9]*m"), ""), plain);
 }
 
-}  // namespace
+}  // namespace verdict_colour_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include "scene/primitives.h"
 
 namespace gnomon {
-namespace {
+namespace camera_path_test {
 
 Scene roomOrBox(const glm::vec3& eye) {
     Scene scene;
@@ -49,5 +49,5 @@ TEST(CameraPath, OfManyFramesIsSpreadOverThem) {
     EXPECT_EQ(path[2].eye.z, 49);
 }
 
-}  // namespace
+}  // namespace camera_path_test
 }  // namespace gnomon

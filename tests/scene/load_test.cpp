@@ -10,7 +10,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace load_test {
 
 using testing::ElementsAre;
 using testing::EndsWith;
@@ -156,5 +156,5 @@ TEST_F(LoadScene, FindsHardCasesInAFolderOfTheirOwn) {
               "c: neither a file nor a scene, known: a, hard, all");
 }
 
-}  // namespace
+}  // namespace load_test
 }  // namespace gnomon

@@ -8,7 +8,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace mesh_file_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -286,5 +286,5 @@ TEST_F(GltfFile, BeyondItsBufferIsRefused) {
     EXPECT_THAT(errorOfFile("c.gltf", std::string(100000, '[')), HasSubstr("nested too deeply"));
 }
 
-}  // namespace
+}  // namespace mesh_file_test
 }  // namespace gnomon

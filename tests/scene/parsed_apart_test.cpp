@@ -11,7 +11,7 @@
 #include "scene/load.h"
 
 namespace gnomon {
-namespace {
+namespace parsed_apart_test {
 
 using testing::StartsWith;
 using testing::ThrowsMessage;
@@ -80,5 +80,5 @@ TEST(ParsedApart, KeepsTheLineOfWhatIsThrownAndNamesTheFileOfTheRest) {
                 ThrowsMessage<SceneError>("bad.obj: std::bad_alloc"));
 }
 
-}  // namespace
+}  // namespace parsed_apart_test
 }  // namespace gnomon

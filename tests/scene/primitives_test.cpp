@@ -9,7 +9,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace primitives_test {
 
 struct Shape {
     std::string name;
@@ -68,5 +68,5 @@ TEST(Box, HasTheSizeGiven) {
     EXPECT_EQ(box({1, 2, 3}).positions.back(), glm::vec3(0.5f, 1, 1.5f));
 }
 
-}  // namespace
+}  // namespace primitives_test
 }  // namespace gnomon

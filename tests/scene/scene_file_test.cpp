@@ -6,7 +6,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace scene_file_test {
 
 using testing::HasSubstr;
 
@@ -265,5 +265,5 @@ TEST_F(SceneFile, MayNotBeEmpty) {
     EXPECT_THAT(errorOfFile("s.toml", ""), testing::StartsWith("s.toml:1: "));
 }
 
-}  // namespace
+}  // namespace scene_file_test
 }  // namespace gnomon

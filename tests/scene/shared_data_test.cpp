@@ -16,7 +16,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace shared_data_test {
 
 using testing::StartsWith;
 
@@ -177,5 +177,5 @@ TEST_P(GoodFile, HasTheTopologyOfDataTable) {
 
 INSTANTIATE_TEST_SUITE_P(Shared, GoodFile, testing::ValuesIn(goodMeshes()), nameOf);
 
-}  // namespace
+}  // namespace shared_data_test
 }  // namespace gnomon

@@ -12,7 +12,7 @@
 #include "tools.h"
 
 namespace gnomon {
-namespace {
+namespace shipped_scenes_test {
 
 const std::filesystem::path kScenes = std::filesystem::path(GNOMON_SOURCE) / "scenes";
 
@@ -237,5 +237,5 @@ TEST(Knot, HasPixelsWithThreeFrontsBeforeABackInFrameZero) {
     EXPECT_GT(pixels, 10) << "of " << kSize * kSize;
 }
 
-}  // namespace
+}  // namespace shipped_scenes_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include "scene/primitives.h"
 
 namespace gnomon {
-namespace {
+namespace subdivide_test {
 
 double areaOf(const Mesh& mesh) {
     double area = 0;
@@ -38,5 +38,5 @@ TEST(Subdivided, NoTimesAtAllIsTheMesh) {
     EXPECT_EQ(subdivided(cube, 0).triangles, cube.triangles);
 }
 
-}  // namespace
+}  // namespace subdivide_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "scene/primitives.h"
 
 namespace gnomon {
-namespace {
+namespace t_junctions_test {
 
 TEST(TJunctions, AreVerticesInsideOfBoundaryEdges) {
     // A square of two triangles beside one of three, which has a vertex amid the edge between them.
@@ -60,5 +60,5 @@ TEST(TJunctions, AgreeWithEveryPairTried) {
     }
 }
 
-}  // namespace
+}  // namespace t_junctions_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "scene/weld.h"
 
 namespace gnomon {
-namespace {
+namespace topology_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -250,5 +250,5 @@ TEST(JoinCasters, TakesTrianglesWithoutAreaBackWhereAsked) {
     EXPECT_EQ(file.boundaryEdges(), 4u);
 }
 
-}  // namespace
+}  // namespace topology_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace gnomon {
-namespace {
+namespace view_test {
 
 constexpr double kRounding = 1e-12;  // some tens of operations on numbers near 1, in double
 
@@ -66,5 +66,5 @@ TEST(View, IsWiderThanHighByTheAspectRatio) {
     EXPECT_NEAR(view.tanHalfX / view.tanHalfY, 640.0 / 480, kRounding);
 }
 
-}  // namespace
+}  // namespace view_test
 }  // namespace gnomon

@@ -5,7 +5,7 @@
 #include <cmath>
 
 namespace gnomon {
-namespace {
+namespace weld_test {
 
 using testing::ElementsAre;
 
@@ -109,5 +109,5 @@ TEST(Triangulate, AlwaysMakesTwoTrianglesLessThanCorners) {
     EXPECT_EQ(cut(std::vector<glm::vec3>(7, glm::vec3(1))).size(), 5u) << "all at one point";
 }
 
-}  // namespace
+}  // namespace weld_test
 }  // namespace gnomon

@@ -12,7 +12,7 @@
 // type.
 
 namespace gnomon {
-namespace {
+namespace brute_force_test {
 
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -223,5 +223,5 @@ TEST(Tracer, TiesAgreeWithBruteForce) {
     EXPECT_GT(countTies, 50);
 }
 
-}  // namespace
+}  // namespace brute_force_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "truth/world.h"
 
 namespace gnomon {
-namespace {
+namespace light_grid_test {
 
 std::vector<LitTriangle> trianglesOf(const Scene& scene, const glm::vec4& light) {
     return World(scene, light, Silhouette::Winding).triangles;
@@ -138,5 +138,5 @@ TEST(LightGrid, IsEmptyWithoutCasters) {
     EXPECT_THAT(visited(grid, pointAt({0.2, 0, 0.1}), 0), testing::Optional(testing::IsEmpty()));
 }
 
-}  // namespace
+}  // namespace light_grid_test
 }  // namespace gnomon

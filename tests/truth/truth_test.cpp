@@ -9,7 +9,7 @@
 #include "scenes.h"
 
 namespace gnomon {
-namespace {
+namespace truth_test {
 
 using ::testing::Each;
 
@@ -394,5 +394,5 @@ TEST(Tracer, TakesTheArmadillo) {
     EXPECT_GT(countOf(truth, Shadow::InShadow), 10000u);
 }
 
-}  // namespace
+}  // namespace truth_test
 }  // namespace gnomon

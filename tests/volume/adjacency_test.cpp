@@ -9,7 +9,7 @@
 #include "shapes.h"
 
 namespace gnomon {
-namespace {
+namespace adjacency_test {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
@@ -140,5 +140,5 @@ TEST(Adjacency, TakesEveryTriangleAtOneVertexOrOneEdge) {
     EXPECT_THAT(adjacency(book).crowded, SizeIs(1));
 }
 
-}  // namespace
+}  // namespace adjacency_test
 }  // namespace gnomon

@@ -14,7 +14,7 @@
 #endif
 
 namespace gnomon {
-namespace {
+namespace caster_mesh_test {
 
 using ::testing::ElementsAre;
 
@@ -218,5 +218,5 @@ TEST(CasterMesh, NeedsAtMost64BytesForATriangle) {
     EXPECT_LE(bytesPerTriangle(worst), 64.6);
 }
 
-}  // namespace
+}  // namespace caster_mesh_test
 }  // namespace gnomon

@@ -9,7 +9,7 @@
 #include "shapes.h"
 
 namespace gnomon {
-namespace {
+namespace frame_volumes_test {
 
 /// A random caster, light and view; the eye is inside the volume in some, and most volumes leave the window.
 struct RandomWorld {
@@ -93,5 +93,5 @@ TEST(FrameVolumes, OfSingleTrianglesAreOnePerLitTriangle) {
               6u);
 }
 
-}  // namespace
+}  // namespace frame_volumes_test
 }  // namespace gnomon

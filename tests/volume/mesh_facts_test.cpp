@@ -7,7 +7,7 @@
 #include "shapes.h"
 
 namespace gnomon {
-namespace {
+namespace mesh_facts_test {
 
 using testing::HasSubstr;
 
@@ -104,5 +104,5 @@ TEST(CountSpread, OfNoLightIsZero) {
     EXPECT_EQ(spread({}, Silhouette::Winding, [](const VolumeCount& c) { return c.caps; }).sum, 0u);
 }
 
-}  // namespace
+}  // namespace mesh_facts_test
 }  // namespace gnomon

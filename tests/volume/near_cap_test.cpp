@@ -14,7 +14,7 @@
 #include "volume/orient.h"
 
 namespace gnomon {
-namespace {
+namespace near_cap_test {
 
 using ::testing::IsEmpty;
 
@@ -252,5 +252,5 @@ TEST(CutVolume, TakesALightInTheNearPlane) {
     }
 }
 
-}  // namespace
+}  // namespace near_cap_test
 }  // namespace gnomon

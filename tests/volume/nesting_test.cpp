@@ -12,7 +12,7 @@
 #include "shapes.h"
 
 namespace gnomon {
-namespace {
+namespace nesting_test {
 
 /// The volumes of a light by their definition: what a triangle hides from the light, and the sides that bound
 /// it. In double precision, face by face.
@@ -338,5 +338,5 @@ TEST(Nesting, CountsASideAsOftenAsItHangsThere) {
     EXPECT_EQ(nesting(scene, lit, light, view).ownFronts, 3);
 }
 
-}  // namespace
+}  // namespace nesting_test
 }  // namespace gnomon

@@ -7,7 +7,7 @@
 #include <random>
 
 namespace gnomon {
-namespace {
+namespace orient_test {
 
 using Rational = boost::multiprecision::cpp_rational;
 
@@ -96,5 +96,5 @@ TEST(Orientation, IsAntisymmetric) {
     }
 }
 
-}  // namespace
+}  // namespace orient_test
 }  // namespace gnomon

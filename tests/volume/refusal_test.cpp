@@ -4,7 +4,7 @@
 #include "volume/volume.h"
 
 namespace gnomon {
-namespace {
+namespace refusal_test {
 
 using ::testing::AllOf;
 using ::testing::Eq;
@@ -131,5 +131,5 @@ TEST(Limitation, OfTwoSidedMeshesIsAnyBend) {
     EXPECT_THAT(limitation(folded, Silhouette::Visible, true), Optional(HasSubstr("edge 1-2 ")));
 }
 
-}  // namespace
+}  // namespace refusal_test
 }  // namespace gnomon

@@ -7,7 +7,7 @@
 #include "shapes.h"
 
 namespace gnomon {
-namespace {
+namespace silhouette_counts_test {
 
 VolumeCount built(const Scene& scene, const glm::vec4& light, Silhouette silhouette) {
     VolumeCount sum{.isPoint = light.w != 0};
@@ -80,5 +80,5 @@ TEST(SilhouetteCounter, CountsThePolygonsOfACube) {
     EXPECT_EQ(sun.triangles(), 6u + 6u) << "sides close in a point";
 }
 
-}  // namespace
+}  // namespace silhouette_counts_test
 }  // namespace gnomon

@@ -13,7 +13,7 @@
 #include "volume/orient.h"
 
 namespace gnomon {
-namespace {
+namespace silhouette_finder_test {
 
 using ::testing::SizeIs;
 
@@ -156,5 +156,5 @@ TEST(SilhouetteFinder, HasNoCastersInAnEmptyScene) {
     EXPECT_THAT(SilhouetteFinder(Scene{}).lit({0, 1, 0, 1}, Silhouette::Winding), SizeIs(0));
 }
 
-}  // namespace
+}  // namespace silhouette_finder_test
 }  // namespace gnomon

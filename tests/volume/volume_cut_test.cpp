@@ -13,7 +13,7 @@
 #include "volume/surface_cut.h"
 
 namespace gnomon {
-namespace {
+namespace volume_cut_test {
 
 struct World {
     Scene scene{};
@@ -252,5 +252,5 @@ TEST(CutVolume, AtTheEyeLeavesNothingBehindIt) {
     EXPECT_GT(behind, 0);
 }
 
-}  // namespace
+}  // namespace volume_cut_test
 }  // namespace gnomon

@@ -11,7 +11,7 @@
 #include "volume/orient.h"
 
 namespace gnomon {
-namespace {
+namespace volume_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -284,5 +284,5 @@ TEST(Extruded, PointsAwayFromTheLight) {
     EXPECT_EQ(extruded({1, 2, 3}, {0, 1, 0, 0}), glm::vec4(0, -1, 0, 0));
 }
 
-}  // namespace
+}  // namespace volume_test
 }  // namespace gnomon

@@ -2,7 +2,6 @@
 import { changeWords } from './change_words.js';
 import { counted, h, plural, symbolOf } from './dom.js';
 import { verdicts } from './run.js';
-import { runCommand } from './words.js';
 
 const most = 200;  // lines of a group before the reader asks for more
 
@@ -49,7 +48,7 @@ export function changesInWords(compare) {
 
 /// Which runs are compared: a command that both have is named once, a gnomon only where its version is known.
 function bothRuns({ old }, run) {
-    const code = (command) => h('code', {}, runCommand(command));
+    const code = (command) => h('code', {}, command);
     const version = /\d/.test(old.program) ? ` (${old.program})` : '';
     return old.command === run.command ? [`The old run${version} and the new one are both of `, code(run.command)]
         : ['From the old run, ', code(old.command), `${version}, to the new one, `, code(run.command)];

@@ -16,7 +16,6 @@ import { changedNames, entryKeeper, filters, hashOf, initialState, keeper, views
 import { steps } from './steps.js';
 import { answerTable, figureNames, tableRows } from './table.js';
 import { answerOf, runInWords, verdictCounts } from './title.js';
-import { runCommand } from './words.js';
 
 const acrossNames = { profiles: 'chips', methods: 'methods' };
 const lookNames = { figures: 'figures', symbols: 'symbols' };
@@ -199,7 +198,7 @@ function start(report) {
 
     document.getElementById('title').textContent = `${run.compare ? 'What changed between two runs. ' : ''}${runInWords(run, cells)}`;
     document.getElementById('about').before(h('p.result', { id: 'result' }, [run.compare ? changesInWords(run.compare) : '', ...answerOf(run, cells, whole)].join(' ').trim()));
-    document.getElementById('about').replaceChildren(h('code', {}, runCommand(run.command)), ` \u00b7 ${run.program}`);
+    document.getElementById('about').replaceChildren(h('code', {}, run.command), ` \u00b7 ${run.program}`);
     document.title = `${run.command} \u00b7 gnomon report`;
     document.getElementById('tools').append(themeButton(() => plots.draw()));
     const answer = h('div', { id: 'answer', tabIndex: -1 }, box);

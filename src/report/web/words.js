@@ -71,14 +71,6 @@ function viewWords(cells, cell) {
 
 const commandOf = (words) => words.map((word) => quoted(typeof word === 'number' ? numberText(word) : String(word))).join(' ');
 
-/// The command of a run, which stands in it as plain words, as the shell takes it: each value of a flag is one word.
-export function runCommand(text) {
-    const [first, ...flags] = text.split(/ (?=--[a-z][a-z-]* )/);
-    const [, head, scenes] = /^(gnomon matrix)(?: (.*))?$/s.exec(first) ?? [null, first];
-    const pair = (flag) => flag.replace(/^(--[a-z-]+) (.*)$/s, (_, name, value) => `${name} ${quoted(value)}`);
-    return [head, ...(scenes ? [quoted(scenes)] : []), ...flags.map(pair)].join(' ');
-}
-
 /// The command that draws a cell.
 export function renderCommand(cells, cell, methods) {
     const get = (name) => cells.get(name, cell);

@@ -35,7 +35,7 @@ void setState(const GlTable& gl, const Pass& pass) {
     gl.StencilOpSeparate(GL_BACK, GL_KEEP, glEnum(s.back.onDepthFail), glEnum(s.back.onPass));
 }
 
-void resetState(const GlTable& gl) {
+void switchOff(const GlTable& gl) {
     for (const GLenum what : {GL_DEPTH_TEST, GL_BLEND, GL_STENCIL_TEST}) gl.Disable(what);
 }
 
@@ -79,7 +79,7 @@ Round maskPass(const Scene& scene, const std::string& method, Load load) {
         for (int i = 0; i < kTimes; ++i) gl.DrawArrays(GL_TRIANGLES, 0, GLsizei(batch.size()));
         gl.Finish();
         const double ms = threadCpuMs() - start;
-        resetState(gl);
+        switchOff(gl);
         return ms / kTimes;
     };
     return [=] {

@@ -13,7 +13,7 @@ import { Cells, median, nearestMate, table, verdicts } from '../../../src/report
 import { csvOf } from '../../../src/report/web/save.js';
 import { hashOf, initialState, keeper, stateOf } from '../../../src/report/web/state.js';
 import { sentenceOf, sortedLines, tableRows } from '../../../src/report/web/table.js';
-import { numberText, planCommand, renderCommand, runCommand } from '../../../src/report/web/words.js';
+import { numberText, planCommand, renderCommand } from '../../../src/report/web/words.js';
 import { makeRun } from './fixture.mjs';
 
 const { run } = makeRun();
@@ -32,13 +32,6 @@ describe('report modules', () => {
         assert.equal(words({ profile: new Set(['tnt', 'ps2']), frame: new Set(['1']), verdict: new Set(['wrong', 'edge']), text: ' max ', sort: 'tnt:down' }, true),
             'Only: what changed since the old run; chips tnt, ps2; frame 1; verdict wrong or edge; words max; sorted by tnt, verdict, worst first.');
         assert.equal(words({ method: new Set(), scene: new Set('abcdefghi') }), 'Only: no methods; 9 scenes.');
-    });
-
-    it('the command of a run is quoted for the shell', () => {
-        assert.equal(runCommand('gnomon matrix'), 'gnomon matrix');
-        assert.equal(runCommand('gnomon matrix boxes,knot --profile tnt --size 320x240'), 'gnomon matrix boxes,knot --profile tnt --size 320x240');
-        assert.equal(runCommand("gnomon matrix my scene.toml,it's.toml --profile a b.toml --dither on"), "gnomon matrix 'my scene.toml,it'\\''s.toml' --profile 'a b.toml' --dither on");
-        assert.equal(runCommand('gnomon matrix --method carmack --light 1,2,3'), 'gnomon matrix --method carmack --light 1,2,3');
     });
 
     it('the address holds the whole state', () => {
