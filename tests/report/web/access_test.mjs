@@ -1,7 +1,7 @@
 // The page without a mouse, in both themes, at all widths, on paper.
 import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
-import { closeBrowser, comparedReport, focused, onPage as test, openBrowser, reportFile, skip } from './browser.mjs';
+import { closeBrowser, comparedReport, escape, focused, onPage as test, openBrowser, reportFile, skip } from './browser.mjs';
 import { makeRun } from './fixture.mjs';
 
 describe('report page, for all', { skip }, () => {
@@ -40,7 +40,7 @@ describe('report page, for all', { skip }, () => {
         }
         for (const part of ['close', 'stage', 'film', 'blink']) assert.ok(seen.has(part), `${part} in ${[...seen]}`);
         assert.ok([...seen].some((name) => name.startsWith('frame-button')));
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         assert.equal(await focused(tab), from);
     });
 

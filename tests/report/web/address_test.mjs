@@ -1,7 +1,7 @@
 // The address of the page: it holds what is looked at, "back" undoes, and what it says wrongly is named.
 import assert from 'node:assert/strict';
 import { after, before, describe } from 'node:test';
-import { close, closeBrowser, focused, onPage as test, open, openBrowser, skip, smallReport } from './browser.mjs';
+import { close, closeBrowser, escape, focused, onPage as test, open, openBrowser, skip, smallReport } from './browser.mjs';
 
 const hash = (tab) => new URL(tab.url()).hash;
 const hashIs = (tab, wanted) => tab.waitForURL((url) => url.hash === wanted);
@@ -40,7 +40,7 @@ describe('the address of the report', { skip }, () => {
     test('back undoes the last filter after a cell was opened and closed', {}, async (tab) => {
         await tab.locator('[data-verdict=edge]').click();
         await tab.locator('.entry').first().click();
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         await hashIs(tab, '#verdict=edge');
         await tab.goBack();
         await hashIs(tab, '');
@@ -152,7 +152,7 @@ describe('the address of the report', { skip }, () => {
     });
 
     test('closing a cell that was opened by its address focuses its entry', { hash: '#cell=ps2/williams/boxes/48x36/0' }, async (tab) => {
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         assert.match(await focused(tab), /^williams on ps2:/);
         assert.equal(hash(tab), '');
         await tab.keyboard.press('ArrowUp');
@@ -160,7 +160,7 @@ describe('the address of the report', { skip }, () => {
     });
 
     test('closing a cell whose entry is filtered away focuses the heading', { hash: '#cell=ps2/williams/boxes/48x36/0&method=none' }, async (tab) => {
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         assert.equal(await focused(tab), 'Which method works on which chip');
     });
 

@@ -87,6 +87,12 @@ export const onPage = (name, options, body) => it(name, async () => {
 /// The text of what is focused: its label, else its words.
 export const focused = (tab) => tab.evaluate(() => document.activeElement.getAttribute('aria-label') ?? document.activeElement.textContent);
 
+/// Closes a cell by its key. A dialog tells of it after the key: what is there before that is still the cell's.
+export async function escape(tab) {
+    await tab.keyboard.press('Escape');
+    await tab.waitForFunction(() => !document.querySelector('dialog.cell').firstChild);
+}
+
 /// A downloaded file's name and text.
 export async function download(tab, act) {
     const [file] = await Promise.all([tab.waitForEvent('download'), act()]);

@@ -1,7 +1,7 @@
 // The page in a browser: opened from disk, used with pointer and keyboard.
 import assert from 'node:assert/strict';
 import { after, before, describe, it } from 'node:test';
-import { close, closeBrowser, comparedReport, download, focused, onPage as test, open, openBrowser, reportFile, skip, smallReport, smallRun } from './browser.mjs';
+import { close, closeBrowser, comparedReport, download, escape, focused, onPage as test, open, openBrowser, reportFile, skip, smallReport, smallRun } from './browser.mjs';
 import { makeRun, plainPicture } from './fixture.mjs';
 
 const shown = (tab) => tab.locator('#shown').textContent();
@@ -96,7 +96,7 @@ describe('report page', { skip }, () => {
         assert.match(await tab.locator('dialog .verdict').textContent(), /12 pixels are wrong, all within one mask pixel/);
         assert.match(await tab.locator('dialog .causes').textContent(), /low mask resolution: 12 pixels/);
         assert.equal(await tab.locator('dialog .command code').textContent(), 'gnomon render boxes --profile tnt --method roettger-half --size 48x36 --frame 0 -o image.png --mask mask.png --truth truth.png --steps steps');
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         assert.equal(await tab.locator('dialog[open]').count(), 0);
         assert.deepEqual(await names(tab), ['roettger-half']);
         assert.equal(new URL(tab.url()).hash, '#verdict=edge');
@@ -138,7 +138,7 @@ describe('report page', { skip }, () => {
 
     const otherCommand = () => {
         const made = makeRun({ withCompare: true });
-        made.run.compare.old = { command: 'gnomon matrix boxes --profile my chip', program: 'gnomon' };
+        made.run.compare.old = { command: "gnomon matrix boxes --profile 'my chip'", program: 'gnomon' };
         return reportFile('other.html', made);
     };
     for (const [address, words] of [[comparedReport, 'The old run (gnomon 0.0.9) and the new one are both of gnomon matrix boxes.'],
@@ -169,7 +169,7 @@ describe('report page', { skip }, () => {
         await tab.locator('.compare a').first().click();
         assert.match(await tab.locator('dialog h2').textContent(), /roettger-half on NVIDIA RIVA TNT/);
         assert.match(await tab.locator('dialog .said').textContent(), /Changed since the old run.*verdict: exact \u2192 edge/);
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         assert.match(await focused(tab), /^tnt\/roettger-half\/boxes/);
     });
 
@@ -182,7 +182,7 @@ describe('report page', { skip }, () => {
         // What changed opens, and not another frame.
         await entry(tab, 'heidmann', 'tnt').click();
         assert.equal(new URL(tab.url()).hash, '#cell=tnt/heidmann/boxes/48x36/1');
-        await tab.keyboard.press('Escape');
+        await escape(tab);
         await tab.locator('#changed').click();
         assert.equal(plain(await shown(tab)), '8 methods on 5 chips: 240 cells of 240');
         assert.equal(new URL(tab.url()).hash, '#changed=all');
