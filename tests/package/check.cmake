@@ -1,0 +1,42 @@
+# Installs BUILD into a folder far from the sources, builds a program against it, and makes a .deb.
+# Fails unless all of it works as it stands there.
+execute_process(COMMAND mktemp -d OUTPUT_VARIABLE folder OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+function(fail what)
+    file(REMOVE_RECURSE ${folder})
+    message(FATAL_ERROR "${what}:\n${output}")
+endfunction()
+function(run)
+    execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+    if(NOT result EQUAL 0)
+        fail("${ARGV}: ${result}")
+    endif()
+    set(output "${output}" PARENT_SCOPE)
+endfunction()
+function(expect pattern)
+    if(NOT output MATCHES "${pattern}")
+        fail("no ${pattern} in")
+    endif()
+endfunction()
+
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${folder}/usr)
+# A chip that stands only there shows where the program looks.
+file(READ ${folder}/usr/share/gnomon/profiles/tnt.toml profile)
+file(WRITE ${folder}/usr/share/gnomon/profiles/installed.toml "${profile}")
+run(${folder}/usr/bin/gnomon profiles)
+expect("installed")
+run(${folder}/usr/bin/gnomon matrix boxes --profile tnt --method carmack --frames 0)
+expect("carmack +exact")
+
+run(${CMAKE_COMMAND} -S ${CMAKE_CURRENT_LIST_DIR} -B ${folder}/build -G Ninja -D CMAKE_CXX_COMPILER=${COMPILER}
+    -D CMAKE_PREFIX_PATH=${folder}/usr)
+run(${CMAKE_COMMAND} --build ${folder}/build)
+run(${folder}/build/count_passes ${folder}/usr/share/gnomon/profiles/voodoo2.toml)
+expect("heidmann: [0-9]+ passes, refused\nroettger-screen: [0-9]+ passes\nosmesa")
+
+run(${CPACK} --config ${BUILD}/CPackConfig.cmake -B ${folder}/deb)
+file(GLOB deb ${folder}/deb/gnomon_*.deb)
+run(dpkg-deb --info ${deb})
+expect("Depends: [^\n]*libosmesa6.*Package: gnomon\n")
+run(dpkg-deb --contents ${deb})
+expect("./usr/bin/gnomon\n.*./usr/share/gnomon/profiles/tnt.toml\n")
+file(REMOVE_RECURSE ${folder})
