@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include <bit>
-#include <cstring>
 
 #include "tools.h"
 
@@ -20,13 +19,6 @@ using StlFile = FolderTest;
 using GltfFile = FolderTest;
 
 constexpr const char* kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
-
-template <typename T>
-void append(std::string& bytes, T value) {
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    bytes.append(raw, sizeof value);
-}
 
 std::string base64(const std::string& bytes) {
     constexpr const char* kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";

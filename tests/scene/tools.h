@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -46,6 +47,14 @@ inline std::string errorOf(const std::function<void()>& action) {
         return error.what();
     }
     return "no error";
+}
+
+/// Adds the bytes of @p value as they lie in memory.
+template <typename T>
+void append(std::string& bytes, T value) {
+    char raw[sizeof value];
+    std::memcpy(raw, &value, sizeof value);
+    bytes.append(raw, sizeof value);
 }
 
 /// A test with a folder of its own, removed afterwards.
