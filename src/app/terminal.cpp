@@ -13,6 +13,7 @@
 #include <string_view>
 #include <system_error>
 
+#include "process/interrupt.h"
 #include "report/page.h"
 
 namespace gnomon {
@@ -116,11 +117,16 @@ TerminalProgress::TerminalProgress(const std::string& unit)
 void TerminalProgress::show(const Progress& progress) {
     if (!m_isShown) return;
     const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - m_start;
-    if (const auto text = m_bar.draw(progress, passed.count(), windowColumns(STDERR_FILENO))) writeNow(*text);
+    if (const auto text = m_bar.draw(progress, passed.count(), windowColumns(STDERR_FILENO))) {
+        writeOnInterrupt(kClearLine);
+        writeNow(*text);
+    }
 }
 
 void TerminalProgress::clear() {
-    if (m_isShown) writeNow(m_bar.clear());
+    if (!m_isShown) return;
+    writeNow(m_bar.clear());
+    writeOnInterrupt(nullptr);
 }
 
 }  // namespace gnomon

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cstring>
 
 namespace gnomon {
 namespace {
@@ -12,10 +13,19 @@ namespace {
 // thread may be given one.
 std::atomic<int> held = 0;
 std::atomic<int> waiting = 0;  ///< the signal that came meanwhile
-static_assert(std::atomic<int>::is_always_lock_free);
+std::atomic<const char*> lastWords = nullptr;
+std::atomic<pid_t> speaker = 0;  ///< the process whose words they are
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>::is_always_lock_free);
+
+[[noreturn]] void end(int signal) {
+    const char* text = lastWords;
+    // A terminal that is gone takes no words, and needs none.
+    if (text && speaker == getpid() && write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(128 + signal);
+    _exit(128 + signal);
+}
 
 void onInterrupt(int signal) {
-    if (held == 0) _exit(128 + signal);
+    if (held == 0) end(signal);
     waiting = signal;
 }
 
@@ -33,12 +43,17 @@ void exitOnInterrupt() {
     }
 }
 
+void writeOnInterrupt(const char* text) {
+    speaker = getpid();
+    lastWords = text;
+}
+
 InterruptsHeld::InterruptsHeld() {
     ++held;
 }
 
 InterruptsHeld::~InterruptsHeld() {
-    if (--held == 0 && waiting != 0) _exit(128 + waiting);
+    if (--held == 0 && waiting != 0) end(waiting);
 }
 
 }  // namespace gnomon

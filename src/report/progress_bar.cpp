@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kSecondsApart = 0.1;
 constexpr std::size_t kShortestBar = 10, kLongestBar = 40;  ///< with its brackets, columns
-constexpr const char* kClearLine = "\r\x1b[K";              ///< to the left edge, and erase what is there
 
 /// "0:07", "12:34", "3:00:05".
 std::string clockText(double seconds) {

@@ -14,6 +14,9 @@ struct ProgressState {
     std::optional<double> secondsLeft{};  ///< none while no step is done
 };
 
+/// To the left edge of a terminal, and erase what is there (ECMA-48's EL).
+constexpr const char* kClearLine = "\r\x1b[K";
+
 /// One line for a terminal of @p columns, all but the last of which it may fill: a bar and the figures,
 /// without line end. Where that is too wide the bar is left out, then the rate, then the time.
 ///

@@ -43,6 +43,13 @@ class Help : public ProgramTest {
     }
 };
 
+TEST_F(Help, EveryCommandIsInTheReadme) {
+    const std::string readme = contentOf(std::filesystem::path(GNOMON_SOURCE) / "README.md");
+    ASSERT_GE(commands().size(), 10u);
+    for (const std::string& command : commands())
+        EXPECT_THAT(readme, HasSubstr("gnomon " + command)) << command;
+}
+
 TEST_F(Help, EveryCommandHasExamplesThatWork) {
     // The runs that the examples of report name.
     const std::string json = run({"matrix", "boxes", "--size", "32x24", "--frames", "0", "--profile", "tnt",

@@ -137,12 +137,5 @@ TEST_F(Readme, MapNamesEveryLayer) {
     }
 }
 
-TEST_F(Readme, NamesEveryCommand) {
-    const std::string readme = contentOf(kReadme);
-    for (const char* command :
-         {"matrix", "render", "plan", "profiles", "methods", "reproduce", "prove", "mesh"})
-        EXPECT_NE(readme.find(fmt::format("gnomon {}", command)), std::string::npos) << command;
-}
-
 }  // namespace readme_test
 }  // namespace gnomon

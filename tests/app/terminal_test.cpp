@@ -2,6 +2,7 @@
 
 #include <fmt/ranges.h>
 
+#include <csignal>
 #include <regex>
 
 #include "program.h"
@@ -43,6 +44,14 @@ TEST_F(Terminal, ShowsProgressAndTakesItAway) {
     EXPECT_THAT(bars.front(), EndsWith("] 0 of 2 cells, 0 failed"));
     EXPECT_EQ(bars.back(), "") << "the line is empty in the end";
     EXPECT_THAT(outcome.text, Not(HasSubstr("\n")));
+}
+
+TEST_F(Terminal, TakesProgressAwayWhenItIsInterrupted) {
+    // Ctrl-C, as soon as a bar is seen.
+    const TerminalOutcome outcome =
+        runAtTerminal({"matrix"}, {.outputIsTerminal = false, .question = "0 of", .answer = "\x03"});
+    EXPECT_EQ(outcome.status, 128 + SIGINT);
+    EXPECT_EQ(barsOf(outcome.text).back(), "");
 }
 
 TEST_F(Terminal, ProgressFitsNarrowTerminalsAndThoseThatAreResized) {
