@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-
 #include "plan/plan.h"
 #include "profile/words.h"
 
