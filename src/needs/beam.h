@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/glm.hpp>
-#include <limits>
 #include <optional>
 #include <span>
 
 #include "needs/receivers.h"
+#include "truth/infinity.h"
 #include "volume/clip_space.h"
 
 // Positions are from the eye, homogeneous.
 
 namespace gnomon {
 
-inline constexpr double kBeamInfinity = std::numeric_limits<double>::infinity();
 /// Of a sum of products, as a share of the sum of their sizes.
 inline constexpr double kBeamRounding = 1e-12;
 inline constexpr double kBeamBoxRounding = 1e-12;      ///< of a coordinate
@@ -64,7 +63,7 @@ bool noneBeyond(const BeamPlane& plane, const Points& points) {
 }
 
 struct BeamBox {
-    glm::dvec3 low{kBeamInfinity}, high{-kBeamInfinity};
+    glm::dvec3 low{kInfinity}, high{-kInfinity};
     void include(const glm::dvec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
     void include(const BeamBox& other) { low = glm::min(low, other.low), high = glm::max(high, other.high); }
 };
@@ -180,7 +179,7 @@ class Beam {
   private:
     void bound(const glm::dvec4& p) {
         for (int k = 0; k < 3; ++k) {
-            const double at = p.w > 0 ? p[k] / p.w : std::copysign(kBeamInfinity, p[k]),
+            const double at = p.w > 0 ? p[k] / p.w : std::copysign(kInfinity, p[k]),
                          slack = kBeamBoxRounding * std::abs(at);
             if (p.w == 0 && p[k] == 0) continue;
             m_box.low[k] = std::min(m_box.low[k], at - slack);

@@ -20,7 +20,9 @@ static_assert(std::atomic<int>::is_always_lock_free && std::atomic<const char*>:
 [[noreturn]] void end(int signal) {
     const char* text = lastWords;
     // A terminal that is gone takes no words, and needs none.
-    if (text && speaker == getpid() && write(STDERR_FILENO, text, std::strlen(text)) < 0) _exit(128 + signal);
+    if (text && speaker == getpid()) {
+        [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, std::strlen(text));
+    }
     _exit(128 + signal);
 }
 

@@ -6,9 +6,9 @@ namespace gnomon {
 /// are ignored stay so. Its children die with it (startChild()).
 void exitOnInterrupt();
 
-/// What an interrupt writes to standard error as it ends this process, but none of its children: a line that
-/// was begun there is taken away. Nothing where it is null.
-/// @param text  is not copied
+/// From now on an interrupt writes @p text to standard error as it ends this process, such as to take away a
+/// line that was begun there. A child that is ended writes nothing.
+/// @param text  null: nothing; else outlives the process's use of it
 void writeOnInterrupt(const char* text);
 
 /// While one lives, an interrupt waits: what has begun is ended first.

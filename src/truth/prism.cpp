@@ -7,7 +7,7 @@ namespace gnomon {
 namespace {
 
 /// |u| x |v| with plus for minus: what the rounding of u x v is relative to.
-double crossLength(const glm::dvec3& u, const glm::dvec3& v) {
+double crossSizeSum(const glm::dvec3& u, const glm::dvec3& v) {
     const glm::dvec3 a = glm::abs(u), b = glm::abs(v);
     return a.y * b.z + a.z * b.y + a.z * b.x + a.x * b.z + a.x * b.y + a.y * b.x;
 }
@@ -25,7 +25,7 @@ Prism::Prism(const LitTriangle& triangle, const glm::dvec4& light, const PrismFr
         const glm::dvec3 normal = glm::cross(u, v);
         const double length = glm::length(normal);
         // Its direction must be right to a rounding of float or two.
-        if (!(length > 1e-8 * crossLength(u, v)) || !(length > 1e-150)) continue;
+        if (!(length > 1e-8 * crossSizeSum(u, v)) || !(length > 1e-150)) continue;
         // Scaled down where the plane was put farther off than most, so that one slack does for all.
         const double off = std::abs(through.x) + std::abs(through.y) + std::abs(through.z);
         const glm::dvec3 unit = normal / (length * std::max(1.0, off / frame.distance));

@@ -7,7 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <functional>
+#include <string>
 
 namespace gnomon {
 namespace interrupt_test {
@@ -31,6 +33,36 @@ TEST(ExitOnInterrupt, EndsWithTheSignalInItsStatus) {
                       raise(signal);
                   }),
                   128 + signal);
+}
+
+/// What is written to standard error by a process that is interrupted after @p work.
+std::string wordsOf(const std::function<void()>& work) {
+    int ends[2];
+    if (pipe(ends) != 0) return "no pipe";
+    const int status = statusOf([&] {
+        dup2(ends[1], STDERR_FILENO);
+        exitOnInterrupt();
+        work();
+        raise(SIGINT);
+    });
+    EXPECT_EQ(status, 128 + SIGINT);
+    close(ends[1]);
+    char text[16];
+    const ssize_t size = read(ends[0], text, sizeof text);
+    close(ends[0]);
+    return {text, std::size_t(std::max<ssize_t>(size, 0))};
+}
+
+TEST(WriteOnInterrupt, IsDoneByTheProcessThatAskedForIt) {
+    EXPECT_EQ(wordsOf([] {}), "");
+    EXPECT_EQ(wordsOf([] { writeOnInterrupt("gone"); }), "gone");
+    EXPECT_EQ(wordsOf([] { writeOnInterrupt("gone"), writeOnInterrupt(nullptr); }), "");
+    // Not by its child too.
+    EXPECT_EQ(wordsOf([] {
+                  writeOnInterrupt("gone");
+                  EXPECT_EQ(statusOf([] { raise(SIGINT); }), 128 + SIGINT);
+              }),
+              "gone");
 }
 
 // A shell starts what runs in the background so; nohup does it with SIGHUP.
