@@ -6,6 +6,8 @@ namespace gnomon {
 
 // Each adds its subcommand to @p app; its exit status goes to @p status when it runs.
 void addMatrix(CLI::App& app, int& status);
+void addMerge(CLI::App& app, int& status);
+void addSlurm(CLI::App& app, int& status);
 void addCheck(CLI::App& app, int& status);
 void addRender(CLI::App& app, int& status);
 void addPlan(CLI::App& app, int& status);

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -12,6 +13,7 @@
 #include "app/help.h"
 #include "app/options.h"
 #include "app/terminal.h"
+#include "matrix/cell_store.h"
 #include "matrix/expectations.h"
 #include "process/interrupt.h"
 #include "report/run_file.h"
@@ -23,6 +25,8 @@ enum Exit { kAsExpected = 0, kBadInput = 2, kOurFault = 3 };
 void addCommands(CLI::App& app, int& status) {
     gnomon::addMatrix(app, status);
     gnomon::addCheck(app, status);
+    gnomon::addMerge(app, status);
+    gnomon::addSlurm(app, status);
     gnomon::addReport(app, status);
     gnomon::addRender(app, status);
     gnomon::addPlan(app, status);
@@ -48,6 +52,7 @@ int fail(Exit status, const std::string& what) {
 
 int main(int argc, char** argv) {
     gnomon::exitOnInterrupt();
+    std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error of who writes it
     int status = kAsExpected;
     CLI::App app(
         "Which shadow algorithm can an old graphics chip run, in how many passes, and how exact?\n"
@@ -80,6 +85,8 @@ int main(int argc, char** argv) {
     } catch (const gnomon::UsageError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::ExpectationError& error) {
+        return fail(kBadInput, error.what());
+    } catch (const gnomon::StoreError& error) {
         return fail(kBadInput, error.what());
     } catch (const gnomon::RunError& error) {
         return fail(kBadInput, error.what());

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "app/commands.h"
+#include "app/keep_options.h"
 #include "app/matrix_options.h"
 #include "app/report_file.h"
 #include "app/terminal.h"
@@ -15,6 +16,7 @@ namespace {
 struct MatrixCommandOptions {
     MatrixOptions choice{};
     WorkerOptions workers{};
+    KeepOptions keeping{};
     FormatOption format{};
     ReportFile report{};
 };
@@ -23,14 +25,18 @@ int run(const MatrixCommandOptions& options) {
     options.report.check();
     MatrixRequest request = options.choice.load();
     options.workers.applyTo(request);
+    options.keeping.applyTo(request);
+    const auto store = options.keeping.open(request);
 
     TerminalProgress bar("cells");
-    const std::vector<Cell> cells = runMatrix(request, [&](const Progress& at) { bar.show(at); });
+    const std::vector<Cell> cells = runMatrix(
+        request, [&](const Progress& at) { bar.show(at); }, store.get());
     bar.clear();
     const Page page = options.format.value();
     fmt::print("{}", page.format == Format::Json  ? matrixJson(cells)
                      : page.format == Format::Csv ? matrixCsv(cells)
                                                   : matrixText(cells, page));
+    if (store) fmt::print(page.format == Format::Text ? stdout : stderr, "{}\n", keptText(*store));
     bool hasFailed = std::any_of(cells.begin(), cells.end(),
                                  [](const Cell& cell) { return cell.verdict == Verdict::Failed; });
     if (options.report.isWanted()) {
@@ -57,6 +63,7 @@ void addMatrix(CLI::App& app, int& status) {
     options->format.addColourTo(*command);
     options->report.addTo(*command, "--report");
     options->workers.addTo(*command);
+    options->keeping.addTo(*command);
     command->callback([options, &status] { status = run(*options); });
 }
 

@@ -4,12 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cctype>
 #include <set>
-#include <string_view>
 #include <utility>
 
 #include "app/options.h"
+#include "app/shell_words.h"
 
 namespace gnomon {
 namespace {
@@ -22,17 +21,6 @@ std::vector<Value> distinct(const std::vector<Cell>& cells, const Of& of) {
     for (const Cell& cell : cells)
         if (Value value = of(cell); known.insert(value).second) values.push_back(std::move(value));
     return values;
-}
-
-/// A word as the shell takes it.
-std::string shellWord(const std::string& word) {
-    const auto isPlain = [](unsigned char c) {
-        return std::isalnum(c) || std::string_view("_./,:=+-").find(char(c)) != std::string_view::npos;
-    };
-    if (!word.empty() && std::all_of(word.begin(), word.end(), isPlain)) return word;
-    std::string quoted = "'";
-    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return quoted + "'";
 }
 
 /// Several words as one, with commas between.

@@ -20,7 +20,7 @@ std::string Cell::question() const {
 }
 
 const std::string& name(Verdict verdict) {
-    static const std::array<std::string, 5> names{"exact", "edge", "wrong", "refused", "failed"};
+    static const std::array<std::string, kVerdicts> names{"exact", "edge", "wrong", "refused", "failed"};
     return names[std::size_t(verdict)];
 }
 

@@ -20,6 +20,7 @@ enum class Verdict {
     Refused,  ///< the chip lacks what the plan needs
     Failed,   ///< crash, time-out, OpenGL error: a fault of ours or of the driver
 };
+constexpr int kVerdicts = 5;
 
 /// How sure it is that a chosen method is exact.
 enum class Proof {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "matrix/digest.h"
+
 namespace gnomon {
 namespace {
 
@@ -102,6 +104,12 @@ nlohmann::ordered_json withoutTimes(const Cell& cell) {
     return json;
 }
 
+std::uint64_t contentDigest(const Cell& cell) {
+    Digest digest;
+    digest.add(withoutTimes(cell).dump());
+    return digest.value();
+}
+
 Cell cellFromJson(const nlohmann::ordered_json& j) {
     Cell c;
     c.profile = j.at("profile"), c.method = j.at("method"), c.scene = j.at("scene");
@@ -130,7 +138,7 @@ Cell cellFromJson(const nlohmann::ordered_json& j) {
     if (j.contains("view")) c.view = j.at("view");
     c.drawnBy = j.value("drawn_by", "");
     c.proof = wordOf<Proof>(j.value("proof", name(Proof::Predicted)), kProofs);
-    c.verdict = wordOf<Verdict>(j.at("verdict"), 5);
+    c.verdict = wordOf<Verdict>(j.at("verdict"), kVerdicts);
     c.chosen = j.at("chosen");
     for (const auto& m : j.at("missing"))
         c.missing.push_back({m.at("capability"), m.at("what"), m.at("source")});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 
 #include "matrix/cell.h"
@@ -12,6 +13,9 @@ nlohmann::ordered_json toJson(const Cell& cell);
 
 /// The same without its times, and by whose clock they are: what two runs must have in common.
 nlohmann::ordered_json withoutTimes(const Cell& cell);
+
+/// Over withoutTimes(): equal where two runs say the same of a cell.
+std::uint64_t contentDigest(const Cell& cell);
 
 /// Inverse of toJson().
 /// @throws nlohmann::json::exception if @p json isn't such an object

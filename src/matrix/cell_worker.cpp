@@ -1,44 +1,25 @@
 #include "matrix/cell_worker.h"
 
+#include <stdexcept>
+
 #include "matrix/cell_json.h"
+#include "matrix/cell_pictures.h"
 
 namespace gnomon {
 
-std::size_t cellsPerGroup(const MatrixRequest& request) {
-    return request.fidelities.size() * request.methods.size() * request.profiles.size();
-}
-
-CellChoice cellOf(const MatrixRequest& request, std::size_t index) {
-    const std::size_t profiles = request.profiles.size(), methods = request.methods.size();
-    return {request.fidelities[index / (methods * profiles)], request.methods[index / profiles % methods],
-            request.profiles[index % profiles]};
-}
-
-Cell blankCell(const MatrixRequest& request, const CellGroup& group, std::size_t index) {
-    const CellChoice choice = cellOf(request, index);
-    Cell cell;
-    addQuestion(cell, choice.fidelity, request.view);
-    cell.device = name(request.device);
-    cell.fidelity = name(choice.fidelity.fidelity);
-    cell.profile = choice.profile.id, cell.method = methodId(choice.axes), cell.scene = group.scene->id;
-    cell.axes = choice.axes;
-    cell.effects = request.effects.value_or(Effects::all());
-    cell.width = group.size.width, cell.height = group.size.height, cell.frame = group.frame;
-    cell.pixels = cell.width * cell.height;
-    return cell;
-}
-
-CellWorker::CellWorker(const MatrixRequest& request, const std::vector<CellGroup>& groups,
-                       Whereabouts& whereabouts)
-    : m_request(request), m_groups(groups), m_whereabouts(whereabouts) {}
+CellWorker::CellWorker(const CellList& list, const std::vector<CellTask>& tasks, Whereabouts& whereabouts)
+    : m_list(list), m_request(list.request()), m_tasks(tasks), m_whereabouts(whereabouts) {}
 
 void CellWorker::enter(const std::string& stage) {
     m_whereabouts.tell(stage);
+    // The cells of a frame share it: each would be stopped there.
+    if (stage == kTruthStage && stage == m_avoided)
+        throw std::runtime_error("not drawn: two cells of this frame were stopped in its truth");
     if (m_request.atStage) m_request.atStage(m_cell, stage);
 }
 
 void CellWorker::begin(std::size_t task) {
-    const CellGroup& group = m_groups[task];
+    const CellGroup& group = m_list.groups()[m_tasks[task].group];
     m_cell.clear();
     enter("the frame's set-up");
     if (m_scene != group.scene) {
@@ -46,6 +27,11 @@ void CellWorker::begin(std::size_t task) {
         m_scene = group.scene;
         m_lab->drawOn(m_request.device);
         m_lab->onStage([this](const std::string& stage) { enter(stage); });
+        if (!m_request.pictureFolder.empty())
+            m_lab->onDrawn([this](const Cell& cell, const Pictures& pictures) {
+                enter("its pictures");
+                writePictures(m_request.pictureFolder, cell.digest, pictures);
+            });
     }
     m_chosen.clear();
     for (const Profile& profile : m_request.profiles) {
@@ -55,14 +41,15 @@ void CellWorker::begin(std::size_t task) {
 }
 
 std::string CellWorker::step(std::size_t task, std::size_t step) {
-    const CellGroup& group = m_groups[task];
-    const auto [fidelity, axes, profile] = cellOf(m_request, step);
-    if (m_request.atStage) m_cell = blankCell(m_request, group, step).id();
+    const std::size_t place = m_tasks[task].places[step];
+    const CellGroup& group = m_list.groupOf(place);
+    const auto [fidelity, axes, profile] = m_list.choiceOf(place);
+    if (m_request.atStage) m_cell = m_list.blank(place).id();
     enter("");
     m_lab->use(fidelity);
     m_lab->simulate(m_request.effects);
     Cell cell = m_lab->run(profile, axes, group.size.width, group.size.height, group.frame);
-    cell.chosen = cell.method == m_chosen[step % m_request.profiles.size()];
+    cell.chosen = cell.method == m_chosen[m_list.profileOf(place)];
     addQuestion(cell, fidelity, m_request.view);
     return toJson(cell).dump();
 }

@@ -47,6 +47,7 @@ struct Lab::Impl : FrameScene {
     Device device = defaultDevice();
     std::optional<Effects> effects{};
     std::function<void(const std::string&)> stageListener{};
+    std::function<void(const Cell&, const Pictures&)> drawnListener{};
     MinimalPlanner planner{*this};
     std::map<std::tuple<BufferFormat, ChipArithmetic, int, int>, std::unique_ptr<Surface>> contexts{};
     std::map<std::pair<Silhouette, CapFaces>, std::optional<std::string>> refusals{};
@@ -259,7 +260,7 @@ struct Lab::Impl : FrameScene {
         std::vector<Cause> causes(std::size_t(key().width) * std::size_t(key().height));
         for (int i = 0; i < lights(); ++i) {
             if (rendered.masks[std::size_t(i)].empty()) continue;  // of a light that was left out
-            enter("truth");
+            enter(kTruthStage);
             const auto truth = truthOf(i, format.depth, chip.depth, axes.silhouette);
             enter("the prediction");
             const std::vector<bool>& mask = rendered.masks[std::size_t(i)];
@@ -334,6 +335,10 @@ const std::optional<Effects>& Lab::simulated() const {
 
 void Lab::onStage(std::function<void(const std::string&)> listener) {
     m_impl->stageListener = std::move(listener);
+}
+
+void Lab::onDrawn(std::function<void(const Cell&, const Pictures&)> listener) {
+    m_impl->drawnListener = std::move(listener);
 }
 
 Nesting Lab::nesting(const Axes& axes, int width, int height, int frame) {
@@ -482,7 +487,10 @@ Cell Lab::run(const Profile& profile, const Axes& given, int width, int height, 
             same.nesting = cell.nesting, same.warnings = cell.warnings;
             return same;
         }
-        m_impl->draw(cell, profile, drawing, pictures, afterPass);
+        Pictures drawn;
+        const bool isTold = bool(m_impl->drawnListener);
+        m_impl->draw(cell, profile, drawing, pictures ? pictures : isTold ? &drawn : nullptr, afterPass);
+        if (isTold) m_impl->drawnListener(cell, pictures ? *pictures : drawn);
         m_impl->results[key] = cell;
     } catch (const CapabilityViolation& violation) {
         cell.verdict = Verdict::Failed;

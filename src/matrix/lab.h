@@ -24,6 +24,9 @@
 
 namespace gnomon {
 
+/// The stage in which a frame's truth is found, for all its cells: Lab::onStage().
+constexpr const char* kTruthStage = "truth";
+
 /// The pictures of one cell.
 struct Pictures {
     Image image{};
@@ -63,6 +66,10 @@ class Lab {
 
     /// @p listener is told of each stage of a cell as it begins: "pass 3 of 7: fronts", "truth".
     void onStage(std::function<void(const std::string& stage)> listener);
+
+    /// @p listener is given each cell that is drawn, and not taken from one before it, with its pictures;
+    /// what it throws is the cell's failure.
+    void onDrawn(std::function<void(const Cell&, const Pictures&)> listener);
 
     /// @param pictures   filled in if given; then nothing is taken from a cell that was drawn before
     /// @param afterPass  called with the surface after each pass

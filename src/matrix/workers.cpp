@@ -6,10 +6,12 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <system_error>
 #include <vector>
 
@@ -24,11 +26,13 @@ using Make = std::function<std::unique_ptr<StepWorker>(Whereabouts&)>;
 using Ended = std::function<void(std::size_t, std::size_t, StepEnd)>;
 
 constexpr char kTask = 't', kReady = 'b', kStep = 's';
+constexpr int kStopsUntilAvoided = 2;
 constexpr std::chrono::milliseconds kMemoryPeriod(20);  ///< between two looks at a worker's memory
 
 /// What a worker is told to do: a task, from one of its steps on.
 struct Order {
     std::size_t task = 0, first = 0, end = 0;
+    std::array<char, 256> avoided{};  ///< StepWorker::avoid(), ends in 0; "": nothing
 };
 
 /// The life of a worker's process.
@@ -39,6 +43,7 @@ void serve(int socket, Whereabouts& whereabouts, const Make& make) {
         Order order;
         std::memcpy(&order, message->text.data(), sizeof order);
         whereabouts.tell("");
+        worker->avoid(order.avoided.data());
         worker->begin(order.task);
         bool isHeard = sendMessage(socket, kReady, "");
         for (std::size_t step = order.first; step < order.end && isHeard; ++step) {
@@ -74,6 +79,7 @@ class Seat {
     void take(std::size_t task, std::size_t steps) {
         m_order = {task, 0, steps};
         m_failedStarts = 0;
+        m_stops.clear();
         if (isBusy()) send();
     }
 
@@ -126,6 +132,7 @@ class Seat {
             m_done = 0;
         }
         m_isReady = m_isTooLarge = false;
+        m_stepBegan = Clock::now();
         m_stopped.clear(), m_thrown.clear();
         restartClock();
         // One that is gone by now is met as the end of its socket.
@@ -138,7 +145,12 @@ class Seat {
         kill(m_child.pid, SIGKILL);
     }
 
-    void endStep(StepEnd end) { m_ended(m_order.task, m_order.first++, std::move(end)); }
+    void endStep(StepEnd end) {
+        const auto now = Clock::now();
+        end.seconds = std::chrono::duration<double>(now - m_stepBegan).count();
+        m_stepBegan = now;
+        m_ended(m_order.task, m_order.first++, std::move(end));
+    }
 
     /// The process is gone: its step fails, and another goes on.
     void end() {
@@ -155,6 +167,8 @@ class Seat {
         if (error.empty()) error = "ended by itself";
         const std::string where = m_whereabouts.text();
         if (!where.empty() && m_thrown.empty()) error += fmt::format(" in {}", where);
+        if (!m_stopped.empty() && ++m_stops[where] == kStopsUntilAvoided)
+            where.copy(m_order.avoided.data(), m_order.avoided.size() - 1);
         if (m_isReady) return endStep({.error = error});
         // A kill from outside hits once; what ends every process is told of every step.
         if (m_failedStarts++ == 0) return;
@@ -167,11 +181,12 @@ class Seat {
     Whereabouts m_whereabouts{};
     Child m_child{};
     MessageReader m_reader{};
-    Order m_order{};         ///< what is left to do
-    std::size_t m_done = 0;  ///< steps of this process
-    bool m_isReady = false;  ///< begin() is behind it
-    int m_failedStarts = 0;  ///< of this task
-    Clock::time_point m_deadline{};
+    Order m_order{};                       ///< what is left to do
+    std::size_t m_done = 0;                ///< steps of this process
+    bool m_isReady = false;                ///< begin() is behind it
+    int m_failedStarts = 0;                ///< of this task
+    std::map<std::string, int> m_stops{};  ///< of this task, by where
+    Clock::time_point m_deadline{}, m_stepBegan{};
     std::string m_stopped{};  ///< why we have killed it
     std::size_t m_stoppedAt = 0;
     bool m_isTooLarge = false;

@@ -20,6 +20,9 @@ struct StepLimits {
 class StepWorker {
   public:
     virtual ~StepWorker() = default;
+    /// Two steps of the task that begins next were stopped at @p where (Whereabouts): whoever comes there
+    /// again may throw instead, if it is what the task's steps share.
+    virtual void avoid(const std::string& where) { (void)where; }
     /// Makes ready what the steps of @p task share.
     virtual void begin(std::size_t task) = 0;
     /// @return what goes to the parent
@@ -29,6 +32,7 @@ class StepWorker {
 /// How a step ended.
 struct StepEnd {
     std::string result{};
+    double seconds = 0;   ///< wall clock, of a task's first step with what was made ready for it
     std::string error{};  ///< "", or "crashed: signal 11 (Segmentation fault) in pass 3 of 7: fronts"
 };
 

@@ -12,6 +12,7 @@
 
 #include "gl/device.h"
 #include "matrix/cell_json.h"
+#include "matrix/merge.h"
 #include "predict/causes.h"
 
 namespace gnomon {
@@ -265,6 +266,7 @@ std::string oneLine(std::string text) {
 }  // namespace
 
 RunError RunRecord::error(std::size_t index, const std::string& what) const {
+    if (lines[index] == 0) return RunError(fmt::format("{}: {}: {}", file, cells[index].id(), oneLine(what)));
     return RunError(fmt::format("{}:{}: {}", file, lines[index], oneLine(what)));
 }
 
@@ -295,9 +297,29 @@ RunRecord parseRun(const std::string& file, const std::string& text) {
     return run;
 }
 
+/// What a run's folder holds.
+static RunRecord readStored(const std::filesystem::path& folder) {
+    RunRecord run{.file = folder.string()};
+    const CellStore store = CellStore::toRead(folder);
+    if (const std::string there = missingOf(store); !there.empty())
+        throw RunError(fmt::format("{}: the run is not at its end: {} are there", run.file, there));
+    store.forEach([&](const StoredCell& stored) {
+        try {
+            run.cells.push_back(cellOf(Json::parse(stored.cell)));
+        } catch (const std::exception& error) {
+            throw RunError(fmt::format("{}: cell {}: {}", run.file, stored.place, oneLine(error.what())));
+        }
+        run.lines.push_back(0);
+    });
+    if (run.cells.empty()) throw RunError(fmt::format("{}: a run without cells", run.file));
+    return run;
+}
+
 RunRecord readRun(const std::filesystem::path& file) {
+    if (hasStore(file)) return readStored(file);
     std::error_code error;
-    if (std::filesystem::is_directory(file, error)) throw RunError(file.string() + ": is a folder");
+    if (std::filesystem::is_directory(file, error))
+        throw RunError(file.string() + ": is a folder without a run");
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     if (in) text << in.rdbuf();
