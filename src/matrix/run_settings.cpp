@@ -22,20 +22,8 @@ std::string joined(const Values& values, const Of& of) {
 
 /// A method with what its id doesn't say.
 std::string wordsOfMethod(const Axes& axes) {
-    const Axes usual{};
-    std::string text = methodId(axes);
-    const auto add = [&](const char* what, const std::string& value, bool isUsual) {
-        if (!isUsual) text += fmt::format(" {} {}", what, value);
-    };
-    add("shade", name(axes.shade), axes.shade == usual.shade);
-    add("start", name(axes.start), axes.start == usual.start);
-    add("overflow", name(axes.overflow), axes.overflow == usual.overflow);
-    add("caps", name(axes.capFaces), axes.capFaces == usual.capFaces);
-    add("clip", name(axes.clip), axes.clip == usual.clip);
-    add("offset", fmt::format("{}", axes.offset), axes.offset == usual.offset);
-    add("map-size", fmt::format("{}", axes.mapSize), axes.mapSize == 0 || axes.mapSize == kDefaultMapSize);
-    add("map-bias", fmt::format("{}", axes.mapBias), axes.mapBias == 0 || axes.mapBias == kDefaultMapBias);
-    return text;
+    return fmt::format("{}{}", methodId(axes),
+                       axes.shade == Shade::Attenuated ? "" : " shade " + name(axes.shade));
 }
 
 std::string wordsOfFidelity(const FidelityChoice& choice) {

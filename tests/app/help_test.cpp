@@ -56,6 +56,11 @@ TEST_F(Help, EveryCommandHasExamplesThatWork) {
                                   "--method", "carmack", "--format", "json"})
                                  .out;
     for (const char* file : {"old.json", "run.json"}) std::ofstream(pathOf(file)) << json;
+    // And the shards of merge's.
+    for (const char* index : {"1", "2"})
+        run({"matrix", "boxes", "--size", "32x24", "--frames", "0", "--profile", "tnt", "--method",
+             "carmack,none", "--out", pathOf(fmt::format("shard-{}", index)), "--shard",
+             fmt::format("{}/2", index)});
     const auto before = std::filesystem::current_path();
     std::filesystem::current_path(std::filesystem::path(pathOf("")));
     for (const std::string& command : commands()) {

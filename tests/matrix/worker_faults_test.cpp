@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "matrix/cell_json.h"
+#include "matrix/lab.h"
 #include "matrix/run.h"
 #include "process/die_of.h"
 #include "scenes.h"
@@ -114,6 +115,32 @@ TEST(WorkerFaults, MemoryEaterIsStoppedAtItsLimit) {
 
 TEST(WorkerFaults, ExceptionThatNobodyExpectsCostsItsCell) {
     EXPECT_EQ(errorWith(smallRequest(), isFirst, [] { throw 7; }), "unknown exception");
+}
+
+// What the cells of a frame share is waited for twice, and not once for each of them. Other frames are as
+// ever.
+TEST(WorkerFaults, HangInTheTruthOfAFrameCostsTwoTimeOuts) {
+    MatrixRequest request = smallRequest();
+    request.jobs = 1;
+    const std::vector<Cell> good = runMatrix(request);
+    request.limits.seconds = 3;
+    request.atStage = [](const std::string& cell, const std::string& stage) {
+        if (cell.ends_with("/0") && stage == kTruthStage) hang();
+    };
+    int timeOuts = 0, others = 0;
+    const std::vector<Cell> cells = runMatrix(request);
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const std::string& error = cells[i].error;
+        timeOuts += error == "timed out after 3 s in truth";
+        others += error == "not drawn: two cells of this frame were stopped in its truth";
+        if (error.empty()) {
+            EXPECT_EQ(withoutTimes(cells[i]), withoutTimes(good[i]));
+        }
+        EXPECT_EQ(!error.empty(), cells[i].frame == 0 && good[i].verdict != Verdict::Refused)
+            << cells[i].id();
+    }
+    EXPECT_EQ(timeOuts, 2);
+    EXPECT_GT(others, 0);
 }
 
 // With a limit of no time at all nothing is made ready in time.
