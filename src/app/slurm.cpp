@@ -44,10 +44,12 @@ gnomon=${{GNOMON:-{program}}}
 out={out}
 mkdir -p "$out"
 
-# Once for the array, whichever task begins how often: what comes after all shards. It looks whether they are whole.
-if [ "$SLURM_ARRAY_TASK_ID" = "$SLURM_ARRAY_TASK_MIN" ] && mkdir "$out/merge-$SLURM_ARRAY_JOB_ID" 2>/dev/null; then
+# What comes after all shards, and looks whether they are whole. The marker comes last: twice is better than never.
+export gnomon out
+submitted=$out/merge-$SLURM_ARRAY_JOB_ID
+if [ "$SLURM_ARRAY_TASK_ID" = "$SLURM_ARRAY_TASK_MIN" ] && [ ! -e "$submitted" ]; then
     sbatch --dependency="afterany:$SLURM_ARRAY_JOB_ID" --job-name=gnomon-merge --open-mode=append \
-        --output="gnomon-${{SLURM_ARRAY_JOB_ID}}_merge.log" --export=ALL,gnomon="$gnomon",out="$out" <<'MERGE'
+        --output="gnomon-${{SLURM_ARRAY_JOB_ID}}_merge.log" <<'MERGE'
 #!/bin/bash
 set -u
 shards=()
@@ -60,6 +62,7 @@ merged=$?
 reported=$?
 exit $((merged > reported ? merged : reported))
 MERGE
+    touch "$submitted"
 fi
 
 exec "$gnomon" matrix{words} \
