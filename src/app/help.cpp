@@ -57,7 +57,7 @@ const std::map<std::string, std::vector<Example>>& allExamples() {
         {"merge",
          {{"gnomon merge shard-1 shard-2 --out whole", "both shards of a run as one"},
           {"gnomon report whole -o whole.html", "and as a page"}}},
-        {"slurm", {{"gnomon slurm boxes --shards 4 --out run > run.sh", "then: sbatch run.sh"}}},
+        {"slurm", {{"gnomon slurm boxes --shards 4 --out run", "the script, to go to a file and to sbatch"}}},
         {"check",
          {{"gnomon check --profile tnt --method carmack", "some cells of tests/expected/matrix.txt"},
           {"gnomon check boxes --frames 0 --profile tnt --expected tnt.txt --update",

@@ -8,6 +8,7 @@
 #include "app/matrix_options.h"
 #include "app/report_file.h"
 #include "app/terminal.h"
+#include "matrix/cell_list.h"
 #include "report/matrix_report.h"
 
 namespace gnomon {
@@ -26,6 +27,8 @@ int run(const MatrixCommandOptions& options) {
     MatrixRequest request = options.choice.load();
     options.workers.applyTo(request);
     options.keeping.applyTo(request);
+    if (options.report.isWanted() && placesOf(CellList(request), request.shard, request.past).empty())
+        throw UsageError(fmt::format("--report: no cell is left for shard {}", toText(request.shard)));
     const auto store = options.keeping.open(request);
 
     TerminalProgress bar("cells");
@@ -35,7 +38,8 @@ int run(const MatrixCommandOptions& options) {
     const Page page = options.format.value();
     fmt::print("{}", page.format == Format::Json  ? matrixJson(cells)
                      : page.format == Format::Csv ? matrixCsv(cells)
-                                                  : matrixText(cells, page));
+                     : cells.empty() ? fmt::format("no cell is left for shard {}\n", toText(request.shard))
+                                     : matrixText(cells, page));
     if (store) fmt::print(page.format == Format::Text ? stdout : stderr, "{}\n", keptText(*store));
     bool hasFailed = std::any_of(cells.begin(), cells.end(),
                                  [](const Cell& cell) { return cell.verdict == Verdict::Failed; });

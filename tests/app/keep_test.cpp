@@ -439,6 +439,18 @@ TEST_F(Keep, ShardsAreBalancedByAnEarlierRun) {
 
 // ---- merge and report
 
+TEST_F(Keep, AShardMayBeEmpty) {
+    const Words one{"matrix", "boxes",  "--frames", "0",       "--profile",
+                    "tnt",    "--size", "32x24",    "--shard", "2/2"};
+    const Outcome outcome = keep("empty", {}, one);
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.out,
+                AllOf(HasSubstr("no cell is left for shard 2/2\n"), HasSubstr("empty: 0 cells; digest ")));
+    EXPECT_EQ(run(with(one, {"--format", "json"})).out, "[]\n");
+    expectRefused(run(with(one, {"--report", pathOf("page.html")})),
+                  "--report: no cell is left for shard 2/2");
+}
+
 TEST_F(Keep, MergeRefusesWhatIsNotWhole) {
     for (const char* index : {"1/3", "2/3", "3/3"}) keep(fmt::format("s{}", index[0]), {"--shard", index});
     const auto merge = [&](const Words& shards) {

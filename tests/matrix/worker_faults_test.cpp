@@ -1,6 +1,7 @@
 // Faults planted in the workers of a run: each costs its own cell, says what it was and in which pass, and
 // leaves all others as they are.
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +11,7 @@
 #include <cstring>
 
 #include "matrix/cell_json.h"
+#include "matrix/check.h"
 #include "matrix/lab.h"
 #include "matrix/run.h"
 #include "process/die_of.h"
@@ -115,6 +117,25 @@ TEST(WorkerFaults, MemoryEaterIsStoppedAtItsLimit) {
 
 TEST(WorkerFaults, ExceptionThatNobodyExpectsCostsItsCell) {
     EXPECT_EQ(errorWith(smallRequest(), isFirst, [] { throw 7; }), "unknown exception");
+}
+
+// A driver that does something else at the second time, behind the capability layer's back: it clears the
+// picture in the middle of a cell. Only that cell is flaky.
+TEST(WorkerFaults, CellThatComesOutOtherwiseTheSecondTimeIsFlaky) {
+    using Clear = void (*)(unsigned);
+    const auto clear = reinterpret_cast<Clear>(dlsym(RTLD_DEFAULT, "glClear"));
+    if (!clear) GTEST_SKIP() << "OpenGL is not linked to here";
+    MatrixRequest request = smallRequest();
+    std::vector<std::vector<Cell>> runs{runMatrix(request)};
+    request.atStage = [&](const std::string& cell, const std::string& stage) {
+        constexpr unsigned kColourBuffer = 0x4000;
+        if (cell == kFaulty && isThirdPass(stage)) clear(kColourBuffer);
+    };
+    runs.push_back(runMatrix(request));
+    const CheckResult result = checkCells({}, runs, false);
+    for (const CheckedCell& cell : result.cells)
+        EXPECT_EQ(cell.what == CheckClass::Flaky, cell.cell.id() == kFaulty)
+            << cell.place << ": " << cell.found;
 }
 
 // What the cells of a frame share is waited for twice, and not once for each of them. Other frames are as
