@@ -43,7 +43,7 @@ int run(const AdviseOptions& options) {
 
 }  // namespace
 
-void addAdvise(CLI::App& app, int& status) {
+void addAdvise(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<AdviseOptions>();
     CLI::App* command = app.add_subcommand(
         "advise",
@@ -57,7 +57,7 @@ void addAdvise(CLI::App& app, int& status) {
     options->device.addTo(*command);
     options->format.addTo(*command);
     options->format.addColourTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

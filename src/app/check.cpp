@@ -95,7 +95,7 @@ int run(const CheckOptions& options) {
 
 }  // namespace
 
-void addCheck(CLI::App& app, int& status) {
+void addCheck(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<CheckOptions>();
     CLI::App* command = app.add_subcommand(
         "check",
@@ -119,7 +119,7 @@ void addCheck(CLI::App& app, int& status) {
     command->add_option("--junit", options->junit, "write the result as JUnit's XML")->type_name("FILE.xml");
     options->format.addTo(*command);
     options->workers.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -77,7 +77,7 @@ int run(const CostOptions& options) {
 
 }  // namespace
 
-void addCost(CLI::App& app, int& status) {
+void addCost(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<CostOptions>();
     CLI::App* command = app.add_subcommand(
         "cost",
@@ -103,7 +103,7 @@ void addCost(CLI::App& app, int& status) {
     command->add_option("-o,--output", options->output, "draw error against cost as an .svg or .png file");
     options->device.addTo(*command);
     options->format.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

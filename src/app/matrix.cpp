@@ -55,7 +55,7 @@ int run(const MatrixCommandOptions& options) {
 
 }  // namespace
 
-void addMatrix(CLI::App& app, int& status) {
+void addMatrix(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<MatrixCommandOptions>();
     CLI::App* command = app.add_subcommand(
         "matrix",
@@ -68,7 +68,7 @@ void addMatrix(CLI::App& app, int& status) {
     options->report.addTo(*command, "--report");
     options->workers.addTo(*command);
     options->keeping.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

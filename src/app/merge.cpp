@@ -27,7 +27,7 @@ int run(const MergeOptions& options) {
 
 }  // namespace
 
-void addMerge(CLI::App& app, int& status) {
+void addMerge(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<MergeOptions>();
     CLI::App* command = app.add_subcommand(
         "merge",
@@ -39,7 +39,7 @@ void addMerge(CLI::App& app, int& status) {
         ->required()
         ->type_name("DIR");
     command->add_option("--out", options->folder, "where the whole run goes")->required()->type_name("DIR");
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -35,7 +35,7 @@ int run(MeshOptions options) {
 
 }  // namespace
 
-void addMesh(CLI::App& app, int& status) {
+void addMesh(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<MeshOptions>();
     CLI::App* command = app.add_subcommand("mesh", "What a mesh's topology means for shadow volumes");
     command->add_option("scene,--scene", options->scenes.ids, "mesh file, scene file, scene id")
@@ -50,7 +50,7 @@ void addMesh(CLI::App& app, int& status) {
         ->capture_default_str()
         ->check(CLI::Range(0, kMostRingLights));
     options->format.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

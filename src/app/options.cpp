@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <set>
+#include <utility>
 
 #include "app/terminal.h"
 #include "app/word_values.h"
@@ -18,6 +20,9 @@ namespace {
 
 constexpr int kLargestSide = 8192;
 constexpr int kMostLights = 8;  ///< unless the user asks for more
+constexpr std::size_t kMostMethods =
+    10'000;                           ///< combinations of axes, those included that contradict themselves
+constexpr int kMostFrames = 100'000;  ///< of a camera path
 
 int wholeNumber(const std::string& flag, const std::string& word) {
     int value = 0;
@@ -356,6 +361,9 @@ std::vector<Axes> MethodOption::axes(std::string& dropped) const {
     // The product, axis by axis.
     const auto spread = [&](auto values, auto member) {
         if (values.empty()) return;
+        if (bases.size() * values.size() > kMostMethods)
+            throw UsageError(fmt::format(
+                "more than the {} methods and combinations of axes that gnomon takes", kMostMethods));
         std::vector<Axes> product;
         for (const Axes& axes : bases) {
             for (const auto& value : values) {
@@ -443,6 +451,7 @@ void SizeOption::addTo(CLI::App& app) {
 
 std::vector<Size> SizeOption::value() const {
     std::vector<Size> sizes;
+    std::set<std::pair<int, int>> known;
     for (const std::string& word : words) {
         const std::size_t x = word.find('x');
         if (x == std::string::npos) throw UsageError(fmt::format("--size: '{}' is not WxH", word));
@@ -451,8 +460,7 @@ std::vector<Size> SizeOption::value() const {
             if (side < 1 || side > kLargestSide)
                 throw UsageError(
                     fmt::format("--size: {} in '{}' is not within 1 to {} pixels", side, word, kLargestSide));
-        const auto isSame = [&](const Size& s) { return s.width == size.width && s.height == size.height; };
-        if (std::none_of(sizes.begin(), sizes.end(), isSame)) sizes.push_back(size);
+        if (known.emplace(size.width, size.height).second) sizes.push_back(size);
     }
     return sizes.empty() ? std::vector<Size>{{}} : sizes;
 }
@@ -475,13 +483,17 @@ void checkFrame(const std::string& flag, int frame, const Scene& scene) {
 
 std::vector<int> parseFrames(const std::vector<std::string>& words) {
     std::vector<int> frames;
+    std::vector<bool> isTaken(kMostFrames);
     for (const std::string& word : words) {
         const std::size_t dash = word.find('-', 1);
         const int first = wholeNumber("--frames", word.substr(0, dash));
         const int last = dash == std::string::npos ? first : wholeNumber("--frames", word.substr(dash + 1));
-        if (first < 0 || last < first || last > 99'999)
+        if (first < 0 || last < first || last >= kMostFrames)
             throw UsageError(fmt::format("--frames: '{}' is no range of frames", word));
-        for (int f = first; f <= last; ++f) frames.push_back(f);
+        for (int f = first; f <= last; ++f) {
+            if (!isTaken[std::size_t(f)]) frames.push_back(f);
+            isTaken[std::size_t(f)] = true;
+        }
     }
     return frames;
 }

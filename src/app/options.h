@@ -14,12 +14,13 @@
 #include "profile/profile.h"
 #include "report/page.h"
 #include "scene/load.h"
+#include "text/one_line.h"
 
 namespace gnomon {
 
-/// A bad argument; what() is one line.
+/// A bad argument; what() is one line, whatever the argument holds.
 struct UsageError : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    explicit UsageError(const std::string& what) : std::runtime_error(oneLine(what)) {}
 };
 
 /// The one value of a flag that other commands take several of.

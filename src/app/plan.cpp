@@ -118,7 +118,7 @@ int run(const PlanOptions& options) {
 
 }  // namespace
 
-void addPlan(CLI::App& app, int& status) {
+void addPlan(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<PlanOptions>();
     CLI::App* command = app.add_subcommand(
         "plan", "The passes of one frame in OpenGL's terms and the chip's, and what the chip lacks for them");
@@ -135,7 +135,7 @@ void addPlan(CLI::App& app, int& status) {
     options->device.addTo(*command);
     options->format.addTo(*command);
     options->show.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -250,7 +250,7 @@ int run(const ProveOptions& options) {
 
 }  // namespace
 
-void addProve(CLI::App& app, int& status) {
+void addProve(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<ProveOptions>();
     CLI::App* command = app.add_subcommand(
         "prove", "Every reachable mask value of a chip's own arithmetic; a counterexample where it fails");
@@ -269,7 +269,7 @@ void addProve(CLI::App& app, int& status) {
                      "nearer-only for chips that need it)")
         ->delimiter(',');
     options->format.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

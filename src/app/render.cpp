@@ -184,7 +184,7 @@ int run(const RenderCommandOptions& options) {
 
 }  // namespace
 
-void addRender(CLI::App& app, int& status) {
+void addRender(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<RenderCommandOptions>();
     CLI::App* command = app.add_subcommand("render",
                                            "One image, its mask, and the buffer after every pass. Without a "
@@ -208,7 +208,7 @@ void addRender(CLI::App& app, int& status) {
     options->format.addTo(*command);
     options->format.addColourTo(*command);
     options->show.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -128,7 +128,7 @@ int run(const ReportOptions& options) {
 
 }  // namespace
 
-void addReport(CLI::App& app, int& status) {
+void addReport(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<ReportOptions>();
     CLI::App* command = app.add_subcommand(
         "report",
@@ -151,7 +151,7 @@ void addReport(CLI::App& app, int& status) {
         ->type_name("FILE");
     command->add_option("--jobs", options->jobs, "worker processes (default: one per core)")
         ->check(CLI::Range(1, 256));
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

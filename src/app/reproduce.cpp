@@ -97,7 +97,7 @@ std::string measuredOn(Device device) {
                        facts.clock == DrawClock::Gpu ? "time of the GPU" : "thread CPU time");
 }
 
-void addReproduce(CLI::App& app, int& status) {
+void addReproduce(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<ReproduceCommandOptions>();
     CLI::App* command = app.add_subcommand(
         "reproduce", "Published figures beside measured ones; exit status 1 if one that must agree differs");
@@ -129,7 +129,7 @@ void addReproduce(CLI::App& app, int& status) {
                       "roettger2002's table 2: also time its frames on this machine");
     options->device.addTo(*command);
     options->format.addTo(*command);
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -95,7 +95,7 @@ int run(const SlurmOptions& options) {
 
 }  // namespace
 
-void addSlurm(CLI::App& app, int& status) {
+void addSlurm(CLI::App& app, Task& chosen) {
     const auto options = std::make_shared<SlurmOptions>();
     CLI::App* command = app.add_subcommand(
         "slurm",
@@ -120,7 +120,7 @@ void addSlurm(CLI::App& app, int& status) {
     command
         ->add_option("--past", options->past, "an earlier run there, by whose times the shards are balanced")
         ->type_name("DIR");
-    command->callback([options, &status] { status = run(*options); });
+    command->callback([options, &chosen] { chosen = [options] { return run(*options); }; });
 }
 
 }  // namespace gnomon

@@ -263,8 +263,10 @@ TEST_F(Program, ChecksThePromisesOfAHardCaseWithTheirLine) {
          {"method = \"carmack\", profile = \"nosuch\"", "method = \"carmack\", silhouette = \"blob\"",
           "method = \"carmack\", dither = true", "method = \"carmack\", frame = 1"})
         expectRefused(run({"scenes", hard(promise)}), file + ":12: ");
-    expectRefused(run({"scenes", caseOf("\n    { method = \"heidmann\", cause = \"bad\\nluck\" },\n", "")}),
+    expectRefused(run({"scenes", caseOf("\n    { method = \"heidmann\", cause = \"bad luck\" },\n", "")}),
                   file + ":10: no such cause 'bad luck'");
+    expectRefused(run({"scenes", caseOf("\n    { method = \"heidmann\", cause = \"bad\\nluck\" },\n", "")}),
+                  file + ":10: 'cause' must be one line");
     EXPECT_THAT(run({"scenes", hard("method = \"heidmann\"")}).out,
                 HasSubstr("gnomon render " + file + " --method heidmann"));
 }
