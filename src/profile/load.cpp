@@ -18,12 +18,22 @@
 #include "profile/check.h"
 #include "profile/profile.h"
 #include "profile/words.h"
+#include "text/deep_key.h"
+#include "text/one_line.h"
 
 namespace gnomon {
 namespace {
 
+/// Beyond it a file is no profile: the longest has five kilobytes.
+constexpr std::uint64_t kMostBytes = 262'144;
+
+/// A key or a file's name may have any character.
+[[noreturn]] void fail(const std::string& what) {
+    throw ProfileError(oneLine(what));
+}
+
 [[noreturn]] void fail(const std::string& file, std::size_t line, const std::string& what) {
-    throw ProfileError(fmt::format("{}:{}: {}", file, line, what));
+    fail(fmt::format("{}:{}: {}", file, line, what));
 }
 
 std::size_t lineOf(const toml::node& node) {
@@ -47,7 +57,11 @@ struct Value {
     }
 
     bool yesOrNo() const { return as<bool>("true or false"); }
-    std::string text() const { return as<std::string>("a string"); }
+    std::string text() const {
+        const auto value = as<std::string>("a string");
+        if (!isOneLine(value)) refuse(fmt::format("{} must be one line", key));
+        return value;
+    }
 
     std::int64_t whole(std::int64_t least, std::int64_t most) const {
         const auto value = as<std::int64_t>("a whole number");
@@ -290,10 +304,9 @@ Profile::Source readSource(const Value& value) {
 
 void readSources(Profile& profile, const Value& value) {
     profile.sources = value.list(readSource);
-    for (std::size_t i = 0; i < profile.sources.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            if (profile.sources[i].key == profile.sources[j].key)
-                value.refuse(fmt::format("sources has {} twice", profile.sources[i].key));
+    std::set<std::string> seen;
+    for (const Profile::Source& source : profile.sources)
+        if (!seen.insert(source.key).second) value.refuse(fmt::format("sources has {} twice", source.key));
 }
 
 /// What the parts "source" and "grade" of a fact say, and where; graded when all of the file is read.
@@ -399,13 +412,20 @@ std::string contentOf(const std::filesystem::path& file) {
     const bool isRegular = std::filesystem::is_regular_file(file, error);
     std::ifstream in;
     if (isRegular) in.open(file, std::ios::binary);
-    if (!isRegular || !in) throw ProfileError(file.string() + ": can't be read");
+    if (!isRegular || !in) fail(file.string() + ": can't be read");
+    const std::uint64_t size = std::filesystem::file_size(file, error);
+    if (error) fail(file.string() + ": can't be read");
+    if (size > kMostBytes)
+        fail(
+            fmt::format("{}: {} bytes, more than the {} that gnomon reads", file.string(), size, kMostBytes));
     std::ostringstream content;
     content << in.rdbuf();
     return content.str();
 }
 
 toml::table parse(const std::string& content, const std::string& file) {
+    if (const std::size_t line = lineOfDeepKey(content); line > 0)
+        fail(file, line, fmt::format("a key of more than {} parts", kMostKeyParts));
     try {
         return toml::parse(content, file);
     } catch (const toml::parse_error& error) {
@@ -439,7 +459,7 @@ Profile loadProfile(const std::filesystem::path& path) {
 }
 
 std::vector<std::string> profileIds(const std::filesystem::path& folder) {
-    if (!std::filesystem::is_directory(folder)) throw ProfileError(folder.string() + ": is not a folder");
+    if (!std::filesystem::is_directory(folder)) fail(folder.string() + ": is not a folder");
     std::vector<std::string> ids;
     for (const auto& entry : std::filesystem::directory_iterator(folder))
         if (entry.path().extension() == ".toml") ids.push_back(entry.path().stem().string());

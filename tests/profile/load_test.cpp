@@ -564,5 +564,33 @@ TEST(ProfileIds, AreSortedStemsOfTomlFiles) {
     EXPECT_THROW(profileIds(folder), ProfileError);
 }
 
+TEST(ProfileLimit, OfBytesIsSaid) {
+    const auto file = fileWith("");
+    std::filesystem::resize_file(file, 107'374'182'400);  // of which none is written
+    try {
+        loadProfile(file);
+        ADD_FAILURE() << "loaded";
+    } catch (const ProfileError& error) {
+        EXPECT_EQ(error.what(),
+                  file.string() + ": 107374182400 bytes, more than the 262144 that gnomon reads");
+    }
+    std::filesystem::remove(file);
+}
+
+TEST(ProfileLimit, OfDepthHoldsForValuesAndKeys) {
+    EXPECT_THAT(errorOf("x = " + std::string(200'000, '[')), testing::StartsWith(":1: "));
+    std::string key = "a";
+    for (int i = 0; i < 100'000; ++i) key += ".a";
+    for (const std::string& content : {key + " = 1\n", "[" + key + "]\n", "x = { " + key + " = 1 }\n"})
+        EXPECT_EQ(errorOf(content), ":1: a key of more than 16 parts");
+}
+
+TEST(ProfileLimit, OfATextIsALine) {
+    EXPECT_EQ(errorOf("title = \"a\\nb\"\n"), ":1: title must be one line");
+    EXPECT_EQ(errorOf("title = \"a\"\nsources = [\"M\\r [guess]: b\"]\n"), ":2: sources must be one line");
+    EXPECT_THAT(errorOf("title = \"a\"\n\"b\\nc\" = 1\n"),
+                testing::StartsWith(":2: unknown key \"b c\"; did you mean"));
+}
+
 }  // namespace load_test
 }  // namespace gnomon
