@@ -23,7 +23,7 @@ std::string_view logicalLine(Lines& lines, std::string& joined) {
 
 }  // namespace
 
-MeshFacts checkObj(const std::filesystem::path& file, std::string_view text) {
+MeshFacts checkObj(const std::filesystem::path& file, std::string_view text, const SceneLimits& limits) {
     struct Forward {
         std::int64_t index;
         std::size_t line;
@@ -32,6 +32,7 @@ MeshFacts checkObj(const std::filesystem::path& file, std::string_view text) {
     std::vector<std::string_view> words;
     std::string joined;
     std::int64_t vertices = 0;
+    std::uint64_t parts = 0;  // each is an object to Assimp
     MeshFacts facts;
 
     Lines lines(text);
@@ -69,7 +70,12 @@ MeshFacts checkObj(const std::filesystem::path& file, std::string_view text) {
             facts.triangles += corners - 2;
         } else if (words[0] == "l" || words[0] == "p") {
             ++facts.otherPrimitives;
+        } else if (words[0] == "o" || words[0] == "g" || words[0] == "usemtl") {
+            if (++parts > limits.objects)
+                fail(file, number, moreThan(limits.objects, "objects, groups and changes of material"));
         }
+        if (facts.triangles + facts.otherPrimitives > limits.triangles)
+            fail(file, number, moreThan(limits.triangles, "triangles"));
     }
     for (const Forward& forward : forwards)
         if (forward.index > vertices)

@@ -205,7 +205,7 @@ bool isCoordinate(const Element& element, const Property& property) {
 
 }  // namespace
 
-MeshFacts checkPly(const std::filesystem::path& file, std::string_view data) {
+MeshFacts checkPly(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits) {
     const Header header = parseHeader(file, data);
     const auto element = [&](std::string_view name) -> const Element& {
         const auto found = std::find_if(header.elements.begin(), header.elements.end(),
@@ -232,6 +232,9 @@ MeshFacts checkPly(const std::filesystem::path& file, std::string_view data) {
             fail(
                 file, e.line,
                 fmt::format("announces {} of '{}', more than the file can hold", e.count, printable(e.name)));
+        if (const std::uint64_t most = 3 * limits.triangles; e.count > most)
+            fail(file, e.line,
+                 fmt::format("announces {} of '{}', {}", e.count, printable(e.name), moreThan(most)));
         for (std::uint64_t row = 0; row < e.count; ++row) {
             reader.startRow(e, row);
             for (const Property& property : e.properties) {
@@ -247,7 +250,9 @@ MeshFacts checkPly(const std::filesystem::path& file, std::string_view data) {
                     if (!isCoordinate(e, property)) continue;
                     if (const std::string fault = coordinateFault(value); !fault.empty()) reader.stop(fault);
                 }
-                if (isFace) facts.triangles += std::size_t(count) - 2;
+                if (!isFace) continue;
+                facts.triangles += std::size_t(count) - 2;
+                if (facts.triangles > limits.triangles) reader.stop(moreThan(limits.triangles, "triangles"));
             }
         }
     }

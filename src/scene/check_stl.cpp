@@ -30,7 +30,7 @@ bool isText(std::string_view data) {
     return head.find('\0') == std::string_view::npos;
 }
 
-MeshFacts checkText(const std::filesystem::path& file, std::string_view text) {
+MeshFacts checkText(const std::filesystem::path& file, std::string_view text, const SceneLimits& limits) {
     MeshFacts facts;
     std::vector<std::string_view> words;
     bool inSolid = false, inFacet = false;
@@ -59,7 +59,8 @@ MeshFacts checkText(const std::filesystem::path& file, std::string_view text) {
         } else if (key == "endfacet") {
             if (corners != 3) fail(file, lines.number(), fmt::format("facet has {} corners, not 3", corners));
             inFacet = false;
-            ++facts.triangles;
+            if (++facts.triangles > limits.triangles)
+                fail(file, lines.number(), moreThan(limits.triangles, "triangles"));
         } else if (key == "endsolid") {
             if (inFacet) fail(file, lines.number(), "solid ends inside a facet");
             inSolid = false;
@@ -73,17 +74,19 @@ MeshFacts checkText(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
-MeshFacts checkStl(const std::filesystem::path& file, std::string_view data) {
+MeshFacts checkStl(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits) {
     std::uint32_t triangles = 0;
     if (data.size() >= kHeader) std::memcpy(&triangles, data.data() + kHeader - 4, 4);
     const std::uint64_t announced = kHeader + std::uint64_t(triangles) * kTriangle;
     if (data.size() < kHeader || data.size() != announced) {
-        if (isText(data)) return checkText(file, data);
+        if (isText(data)) return checkText(file, data, limits);
         if (data.size() < kHeader)
             fail(file, fmt::format("{} bytes are too few for an STL file", data.size()));
         fail(file, fmt::format("announces {} triangles, {} bytes, but has {} bytes", triangles, announced,
                                data.size()));
     }
+    if (triangles > limits.triangles)
+        fail(file, fmt::format("{} triangles, {}", triangles, moreThan(limits.triangles)));
     for (std::uint32_t t = 0; t < triangles; ++t) {
         float xyz[9];
         std::memcpy(xyz, data.data() + kHeader + t * kTriangle + 12, sizeof xyz);

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "scene/text.h"
 #include "scene/weld.h"
@@ -20,8 +21,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kDeepestJson = 200,
-              kDeepestNode = 1000;  // recursive readers run out of stack beyond some depth
+// Recursive readers run out of stack beyond some depth.
+constexpr std::size_t kDeepestJson = 200;
+constexpr int kDeepestNode = 1000;
 
 std::uint32_t wordAt(std::string_view data, std::size_t offset) {
     std::uint32_t word = 0;
@@ -62,13 +64,64 @@ Container openGlb(const std::filesystem::path& file, std::string_view data) {
     return container;
 }
 
-json parseJson(const std::filesystem::path& file, std::string_view text, bool hasLines) {
-    const auto shallow = [&](int depth, json::parse_event_t, json&) {
-        if (depth > kDeepestJson) fail(file, "JSON nested too deeply");
+/// Looks through a JSON text, and remembers what it has too much of. json::parse() can be told to do that,
+/// too, but then takes time with the square of an array's length.
+class JsonShape : public nlohmann::json_sax<json> {
+  public:
+    explicit JsonShape(std::uint64_t mostValues) : m_mostValues(mostValues) {}
+
+    const std::string& fault() const { return m_fault; }
+
+    bool null() override { return value(); }
+    bool boolean(bool) override { return value(); }
+    bool number_integer(number_integer_t) override { return value(); }
+    bool number_unsigned(number_unsigned_t) override { return value(); }
+    bool number_float(number_float_t, const string_t&) override { return value(); }
+    bool string(string_t&) override { return value(); }
+    bool binary(binary_t&) override { return value(); }
+    bool start_array(std::size_t) override { return begin(); }
+    bool end_array() override { return end(); }
+    bool start_object(std::size_t) override { return begin(); }
+    bool end_object() override { return end(); }
+    bool key(string_t& name) override {
+        // Parsers do not agree on which of them counts.
+        if (!m_keys.back().insert(name).second)
+            return refuse(fmt::format("the JSON has a key '{}' twice", printable(name)));
+        return value();
+    }
+    bool parse_error(std::size_t, const std::string&, const json::exception&) override {
+        return false;  // json::parse() comes to it, too
+    }
+
+  private:
+    bool refuse(std::string fault) {
+        m_fault = std::move(fault);
+        return false;
+    }
+    bool value() { return ++m_values <= m_mostValues || refuse(moreThan(m_mostValues, "JSON values")); }
+    bool begin() {
+        m_keys.emplace_back();
+        if (m_keys.size() > kDeepestJson)
+            return refuse(fmt::format("JSON nested deeper than {}", kDeepestJson));
+        return value();
+    }
+    bool end() {
+        m_keys.pop_back();
         return true;
-    };
+    }
+
+    std::uint64_t m_mostValues, m_values = 0;
+    std::vector<std::set<std::string>> m_keys{};  ///< of the objects that are open; arrays have none
+    std::string m_fault{};
+};
+
+json parseJson(const std::filesystem::path& file, std::string_view text, bool hasLines,
+               std::uint64_t mostValues) {
+    JsonShape shape(mostValues);
+    json::sax_parse(text, &shape);
+    if (!shape.fault().empty()) fail(file, shape.fault());
     try {
-        return json::parse(text, shallow);
+        return json::parse(text);
     } catch (const json::parse_error& error) {
         if (!hasLines) fail(file, fmt::format("bad JSON at byte {} of its chunk", error.byte));
         const auto end = text.begin() + std::ptrdiff_t(std::min(error.byte, text.size()));
@@ -116,10 +169,11 @@ std::string decodePercent(std::string_view uri) {
 /// The file as a graph whose references have been checked.
 class Document {
   public:
-    Document(const std::filesystem::path& file, std::string_view data) : m_file(file) {
+    Document(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits)
+        : m_file(file), m_limits(limits) {
         const bool binary = data.starts_with("glTF") || file.extension() == ".glb";
         const Container container = binary ? openGlb(file, data) : Container{.text = data};
-        m_root = parseJson(file, container.text, !binary);
+        m_root = parseJson(file, container.text, !binary, limits.jsonValues);
         if (!m_root.is_object()) fail(file, "the JSON is no object");
         const std::string version = m_root.contains("asset") ? m_root["asset"].value("version", "") : "";
         if (!version.starts_with("2.")) fail(file, "asset.version isn't 2.x");
@@ -138,8 +192,12 @@ class Document {
         const json& scenes = array(m_root, "scenes");
         if (scenes.empty()) fail(m_file, "no scene, so nothing to show");
         const std::size_t scene = index(m_root, "scene", scenes.size(), "the file").value_or(0);
+        std::vector<bool> isRoot(array(m_root, "nodes").size());
         for (const json& node : array(scenes[scene], "nodes")) {
-            const std::size_t root = checked(node, array(m_root, "nodes").size(), "scene", "node");
+            const std::size_t root = checked(node, isRoot.size(), "scene", "node");
+            if (isRoot[root]) bad(fmt::format("scene names node {} twice", root));
+            if (m_isChild[root]) bad(fmt::format("scene names node {}, which is no root", root));
+            isRoot[root] = true;
             walk(root, glm::dmat4(1));
         }
         if (m_orthographic > 0)
@@ -154,6 +212,11 @@ class Document {
     }
 
   private:
+    struct CountedMesh {
+        MeshFacts facts{};
+        std::uint64_t corners = 0;
+    };
+
     [[noreturn]] void bad(std::string_view what) const { fail(m_file, what); }
 
     const json& array(const json& object, const char* key) const {
@@ -199,6 +262,7 @@ class Document {
 
     void loadBuffers(const Container& container) {
         const json& buffers = array(m_root, "buffers");
+        std::uint64_t room = m_limits.meshBytes;
         for (std::size_t b = 0; b < buffers.size(); ++b) {
             const std::string who = fmt::format("buffer {}", b);
             const std::uint64_t length = amount(buffers[b], "byteLength", who);
@@ -213,8 +277,14 @@ class Document {
                 bytes = decodeBase64(std::string_view(uri).substr(comma + 1));
             } else {
                 const std::string name = decodePercent(uri);
+                const auto file = m_file.parent_path() / name;
+                std::error_code error;
+                const std::uint64_t size = std::filesystem::file_size(file, error);
+                if (!error && size > room)
+                    bad(fmt::format("{} of {} bytes, with which the buffers have {}", who, size,
+                                    moreThan(m_limits.meshBytes, "bytes")));
                 try {
-                    bytes = readWhole(m_file.parent_path() / name);
+                    bytes = readWhole(file, room);
                 } catch (const SceneError&) {
                     bad(fmt::format("buffer file '{}' is missing or can't be read", printable(name)));
                 }
@@ -222,6 +292,7 @@ class Document {
             if (bytes.size() < length)
                 bad(fmt::format("{} announces {} bytes, has {}", who, length, bytes.size()));
             bytes.resize(length);
+            room -= std::min<std::uint64_t>(room, length);
             m_buffers.push_back(std::move(bytes));
         }
     }
@@ -239,6 +310,15 @@ class Document {
                 bad(fmt::format("{} ends past buffer {} of {} bytes", who, *buffer, size));
             if (amount(views[v], "byteStride", who, 0) > 252) bad(who + " has a byteStride over 252");
         }
+    }
+
+    /// Of all meshes, and of all their instances: vertices, or the indices of them where those are more.
+    std::uint64_t mostCorners() const { return 3 * m_limits.triangles; }
+
+    /// Counts corners for which there is memory or time to be taken.
+    void takeCorners(std::uint64_t& sum, std::uint64_t corners) const {
+        sum += corners;
+        if (sum > mostCorners()) bad(moreThan(mostCorners(), "vertices"));
     }
 
     std::uint64_t componentSize(const json& accessor, std::string_view who) const {
@@ -282,16 +362,18 @@ class Document {
     }
 
     void checkAccessors() const {
-        constexpr std::uint64_t kMost = 1u << 28;
+        const std::uint64_t most = mostCorners();
+        std::uint64_t changed = 0;
         const json& accessors = array(m_root, "accessors");
         for (std::size_t a = 0; a < accessors.size(); ++a) {
             const std::string who = fmt::format("accessor {}", a);
             const std::uint64_t count = amount(accessors[a], "count", who);
-            if (count > kMost) bad(fmt::format("{} announces {} values", who, count));
+            if (count > most) bad(fmt::format("{} announces {} values, {}", who, count, moreThan(most)));
             checkRange(accessors[a], count, elementSize(accessors[a], who), who);
             const auto sparse = accessors[a].find("sparse");
             if (sparse == accessors[a].end()) continue;
             const std::uint64_t changes = amount(*sparse, "count", who);
+            takeCorners(changed, changes);
             const json& where = sparse->at("indices");
             checkRange(where, changes, componentSize(where, who), who + "'s sparse indices");
             checkRange(sparse->at("values"), changes, elementSize(accessors[a], who),
@@ -336,8 +418,9 @@ class Document {
     void checkMeshes() {
         const json& meshes = array(m_root, "meshes");
         const json& accessors = array(m_root, "accessors");
+        std::uint64_t inMeshes = 0;
         for (std::size_t m = 0; m < meshes.size(); ++m) {
-            MeshFacts mesh;
+            CountedMesh mesh;
             const json& primitives = array(meshes[m], "primitives");
             for (std::size_t p = 0; p < primitives.size(); ++p) {
                 const json& primitive = primitives[p];
@@ -355,18 +438,25 @@ class Document {
                 for (const auto& [name, accessor] : primitive["attributes"].items())
                     if (amount(accessors[accessor.get<std::size_t>()], "count", who) != corners)
                         bad(fmt::format("{} has attributes of different lengths", who));
+                std::uint64_t most = corners;
                 if (const auto indices = index(primitive, "indices", accessors.size(), who)) {
-                    checkIndices(accessors[*indices], corners, who);
+                    // Before they are looked at: many primitives may share them.
                     corners = amount(accessors[*indices], "count", who);
+                    most = std::max(most, corners);
+                    takeCorners(inMeshes, most);
+                    checkIndices(accessors[*indices], amount(positions, "count", who), who);
+                } else {
+                    takeCorners(inMeshes, most);
                 }
+                mesh.corners += most;
                 const std::uint64_t mode = amount(primitive, "mode", who, 4);
                 if (mode > 6) bad(fmt::format("{} has mode {}", who, mode));
                 if (mode < 4) {
-                    ++mesh.otherPrimitives;
+                    ++mesh.facts.otherPrimitives;
                 } else if (corners < 3 || (mode == 4 && corners % 3 != 0)) {
                     bad(fmt::format("{} has {} corners, no whole triangles", who, corners));
                 } else {
-                    mesh.triangles += mode == 4 ? corners / 3 : corners - 2;
+                    mesh.facts.triangles += mode == 4 ? corners / 3 : corners - 2;
                 }
             }
             m_meshes.push_back(mesh);
@@ -379,6 +469,7 @@ class Document {
     }
 
     void checkLights() {
+        constexpr double kMostLight = 1e6;  // files go beyond the 1 of KHR_lights_punctual
         if (!m_root.contains("extensions")) return;
         const json& extensions = m_root["extensions"];
         if (!extensions.contains("KHR_lights_punctual")) return;
@@ -388,7 +479,12 @@ class Document {
             const std::string type = m_lights[l].value("type", "");
             if (type != "point" && type != "spot" && type != "directional")
                 bad(fmt::format("{} has no valid type", who));
-            if (m_lights[l].contains("color")) vectorOf(m_lights[l]["color"], who + "'s color");
+            if (m_lights[l].contains("color")) {
+                const glm::dvec3 colour = vectorOf(m_lights[l]["color"], who + "'s color");
+                for (int k = 0; k < 3; ++k)
+                    if (!(colour[k] >= 0 && colour[k] <= kMostLight))
+                        bad(fmt::format("{} has a color of {}", who, colour[k]));
+            }
             if (type != "spot") continue;
             const json spot = m_lights[l].value("spot", json::object());
             const double inner = spot.value("innerConeAngle", 0.0);
@@ -408,16 +504,18 @@ class Document {
             if (type != "perspective" || !cameras[c].contains("perspective")) bad(who + " has no valid type");
             const double fov = cameras[c]["perspective"].value("yfov", 0.0);
             const double near = cameras[c]["perspective"].value("znear", 0.0);
-            if (!(fov > 0 && fov < std::numbers::pi)) bad(fmt::format("{} has a yfov of {}", who, fov));
+            const double degrees = glm::degrees(fov);
+            if (!(degrees >= 0.01 && degrees <= 179)) bad(fmt::format("{} has a yfov of {}", who, fov));
             if (!(near > 0)) bad(fmt::format("{} has a znear of {}", who, near));
         }
     }
 
     /// Each node has one parent at most, and none is its own ancestor (section 3.5.2).
-    void checkNodes() const {
+    void checkNodes() {
         const json& nodes = array(m_root, "nodes");
         constexpr std::size_t kRoot = std::size_t(-1);
         std::vector<std::size_t> parent(nodes.size(), kRoot);
+        m_isChild.resize(nodes.size());
         for (std::size_t n = 0; n < nodes.size(); ++n) {
             const std::string who = fmt::format("node {}", n);
             index(nodes[n], "mesh", m_meshes.size(), who);
@@ -428,6 +526,7 @@ class Document {
                 if (parent[c] != kRoot)
                     bad(fmt::format("node {} has two parents, {} and {}", c, parent[c], n));
                 parent[c] = n;
+                m_isChild[c] = true;
             }
         }
         // With one parent each, a node that never comes to a root is on a cycle or below one.
@@ -481,8 +580,10 @@ class Document {
         const std::string who = fmt::format("node {}", n);
         const glm::dmat4 worldFromNode = worldFromParent * localMatrix(node);
         if (const auto mesh = index(node, "mesh", m_meshes.size(), who)) {
-            m_facts.mesh.triangles += m_meshes[*mesh].triangles;
-            m_facts.mesh.otherPrimitives += m_meshes[*mesh].otherPrimitives;
+            m_facts.mesh.triangles += m_meshes[*mesh].facts.triangles;
+            m_facts.mesh.otherPrimitives += m_meshes[*mesh].facts.otherPrimitives;
+            takeCorners(m_instanced, m_meshes[*mesh].corners);
+            if (m_facts.mesh.triangles > m_limits.triangles) bad(moreThan(m_limits.triangles, "triangles"));
         }
         if (const auto light = lightOf(node, who)) addLight(m_lights[*light], worldFromNode, who);
         if (const auto camera = index(node, "camera", array(m_root, "cameras").size(), who))
@@ -491,8 +592,9 @@ class Document {
     }
 
     glm::dvec3 direction(const glm::dvec4& v, std::string_view who) const {
+        constexpr double kShortest = 1e-18;  // its square has all of its digits
         const double length = glm::length(glm::dvec3(v));
-        if (!(length > 0) || !std::isfinite(length))
+        if (!(length > kShortest) || !std::isfinite(length))
             bad(fmt::format("{} has a transform without a direction", who));
         return glm::dvec3(v) / length;
     }
@@ -531,19 +633,22 @@ class Document {
     }
 
     const std::filesystem::path& m_file;
+    const SceneLimits m_limits;
     json m_root{};
     json m_lights = json::array();
     std::vector<std::string> m_buffers{};
-    std::vector<MeshFacts> m_meshes{};
+    std::vector<CountedMesh> m_meshes{};
+    std::vector<bool> m_isChild{};
+    std::uint64_t m_instanced = 0;  ///< corners
     std::size_t m_orthographic = 0, m_spots = 0;
     GltfFacts m_facts{};
 };
 
 }  // namespace
 
-GltfFacts readGltf(const std::filesystem::path& file, std::string_view data) {
+GltfFacts readGltf(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits) {
     try {
-        return Document(file, data).facts();
+        return Document(file, data, limits).facts();
     } catch (const json::exception& error) {
         fail(file, fmt::format("bad glTF: {}", printable(error.what())));
     }

@@ -26,6 +26,6 @@ struct GltfFacts {
 /// Reads and validates a .gltf or .glb file: JSON, buffers, views, accessors, index values, the node tree,
 /// KHR_lights_punctual.
 /// @throws SceneError for whatever a reader could trip over
-GltfFacts readGltf(const std::filesystem::path& file, std::string_view data);
+GltfFacts readGltf(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits = {});
 
 }  // namespace gnomon

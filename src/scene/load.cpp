@@ -59,8 +59,11 @@ void adoptCameras(const MeshFile& mesh, const Bounds& bounds, Scene& scene) {
                         changed == 1 ? "" : "s", least));
 }
 
-Scene sceneOfMesh(const std::filesystem::path& file, const SceneOverrides& overrides) {
-    MeshFile mesh = loadMeshFile(file);
+constexpr double kLeastRadius = 1e-18;  ///< float has room for the square
+
+Scene sceneOfMesh(const std::filesystem::path& file, const SceneOverrides& overrides,
+                  const SceneLimits& limits) {
+    MeshFile mesh = loadMeshFile(file, limits);
     Scene scene;
     scene.id = file.string();
     scene.title = file.filename().string();
@@ -68,6 +71,9 @@ Scene sceneOfMesh(const std::filesystem::path& file, const SceneOverrides& overr
     scene.notes = std::move(mesh.notes);
     scene.dropped = std::move(mesh.dropped);
     const Bounds bounds = boundsOf(scene.objects);
+    if (bounds.radius < kLeastRadius)
+        fail(file, fmt::format("all of it lies within {:g} of one point (at least {:g})", bounds.radius,
+                               kLeastRadius));
 
     adoptCameras(mesh, bounds, scene);
     if (scene.frames.empty())
@@ -105,14 +111,15 @@ void applyOverrides(const SceneOverrides& overrides, const Bounds& bounds, Scene
 
 }  // namespace
 
-Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides) {
+Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides,
+                const SceneLimits& limits) {
     checkOverrides(overrides);
     const bool isToml = file.extension() == ".toml";
     if (!isToml && !isMeshFile(file)) {
-        readWhole(file);  // a folder, or nothing at all, is the better complaint
+        readWhole(file, limits.meshBytes);  // a folder, or nothing at all, is the better complaint
         fail(file, "unknown kind of file, known: .toml .obj .ply .stl .gltf .glb");
     }
-    Scene scene = isToml ? loadSceneFile(file) : sceneOfMesh(file, overrides);
+    Scene scene = isToml ? loadSceneFile(file, limits) : sceneOfMesh(file, overrides, limits);
     const Bounds bounds = boundsOf(scene.objects);
     const bool isGltf = file.extension() == ".gltf" || file.extension() == ".glb";
     if (overrides.ground.value_or(!isToml && !isGltf)) {

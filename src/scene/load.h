@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 namespace gnomon {
@@ -27,9 +28,11 @@ struct SceneOverrides {
 };
 
 /// Loads a scene file (.toml) or a mesh file (.obj .ply .stl .gltf .glb).
-/// @throws SceneError for anything that can't be drawn: unreadable or malformed file, a mesh or objects of
-///         which no triangle is left. A scene file may say that it has no objects, or no lights.
-Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {});
+/// @throws SceneError for anything that can't be drawn: unreadable or malformed file, one beyond @p limits, a
+///         mesh or objects of which no triangle is left. A scene file may say that it has no objects, or no
+///         lights.
+Scene loadScene(const std::filesystem::path& file, const SceneOverrides& overrides = {},
+                const SceneLimits& limits = {});
 
 /// Resolves --scene: a file that exists, else an id in @p folder ("boxes" -> folder/boxes.toml, "hard/x" ->
 /// folder/hard/x.toml).

@@ -4,6 +4,8 @@
 #include <string>
 #include <string_view>
 
+#include "scene/limits.h"
+
 namespace gnomon {
 
 /// What a mesh file says of itself, read apart from Assimp.
@@ -18,8 +20,8 @@ struct MeshFacts {
 //
 // @throws SceneError "file:line: what", or "file: what" in binary data
 
-MeshFacts checkObj(const std::filesystem::path& file, std::string_view text);
-MeshFacts checkPly(const std::filesystem::path& file, std::string_view data);
-MeshFacts checkStl(const std::filesystem::path& file, std::string_view data);
+MeshFacts checkObj(const std::filesystem::path& file, std::string_view text, const SceneLimits& limits = {});
+MeshFacts checkPly(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits = {});
+MeshFacts checkStl(const std::filesystem::path& file, std::string_view data, const SceneLimits& limits = {});
 
 }  // namespace gnomon

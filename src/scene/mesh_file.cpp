@@ -32,8 +32,9 @@ glm::dmat4 matrixOf(const aiMatrix4x4& m) {
 class Importer {
   public:
     /// @param materials of the file; Assimp's own default comes after them
-    Importer(const std::filesystem::path& file, const aiScene& scene, std::size_t materials, MeshFile& out)
-        : m_file(file), m_scene(scene), m_materials(materials), m_out(out) {}
+    Importer(const std::filesystem::path& file, const SceneLimits& limits, const aiScene& scene,
+             std::size_t materials, MeshFile& out)
+        : m_file(file), m_limits(limits), m_scene(scene), m_materials(materials), m_out(out) {}
 
     void run(const MeshFacts& facts) {
         walk(*m_scene.mRootNode, glm::dmat4(1));
@@ -92,6 +93,7 @@ class Importer {
             return;
         }
         readMaterial(mesh, object);
+        if (m_out.objects.size() == m_limits.objects) fail(m_file, moreThan(m_limits.objects, "objects"));
         m_out.objects.push_back(std::move(object));
     }
 
@@ -111,28 +113,29 @@ class Importer {
     }
 
     const std::filesystem::path& m_file;
+    const SceneLimits& m_limits;
     const aiScene& m_scene;
     std::size_t m_materials;
     MeshFile& m_out;
     std::size_t m_triangles = 0, m_empty = 0;
 };
 
-MeshFile parse(const std::filesystem::path& file) {
+MeshFile parse(const std::filesystem::path& file, const SceneLimits& limits) {
     const std::string extension = extensionOf(file);
-    const std::string data = readWhole(file);
+    const std::string data = readWhole(file, limits.meshBytes);
     if (data.empty()) fail(file, "empty file");
 
     MeshFile out;
     MeshFacts facts;
     std::size_t materials = 0;  // what Assimp makes up for PLY and STL isn't in the file
     if (extension == ".obj") {
-        facts = checkObj(file, data);
+        facts = checkObj(file, data, limits);
         materials = std::size_t(-1);
     }
-    if (extension == ".ply") facts = checkPly(file, data);
-    if (extension == ".stl") facts = checkStl(file, data);
+    if (extension == ".ply") facts = checkPly(file, data, limits);
+    if (extension == ".stl") facts = checkStl(file, data, limits);
     if (extension == ".gltf" || extension == ".glb") {
-        GltfFacts gltf = readGltf(file, data);
+        GltfFacts gltf = readGltf(file, data, limits);
         facts = gltf.mesh;
         materials = gltf.materials;
         out.isGltf = true;
@@ -145,7 +148,7 @@ MeshFile parse(const std::filesystem::path& file) {
     Assimp::Importer importer;
     const aiScene* scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr) fail(file, printable(importer.GetErrorString()));
-    Importer(file, *scene, materials, out).run(facts);
+    Importer(file, limits, *scene, materials, out).run(facts);
     return out;
 }
 
@@ -157,8 +160,8 @@ bool isMeshFile(const std::filesystem::path& file) {
            extension == ".glb";
 }
 
-MeshFile loadMeshFile(const std::filesystem::path& file) {
-    return parsedApart(file, [&] { return parse(file); });
+MeshFile loadMeshFile(const std::filesystem::path& file, const SceneLimits& limits) {
+    return parsedApart(file, [&] { return parse(file, limits); });
 }
 
 }  // namespace gnomon

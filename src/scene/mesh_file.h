@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 namespace gnomon {
@@ -23,6 +24,6 @@ bool isMeshFile(const std::filesystem::path& file);
 /// Loads a mesh file through Assimp, once its own walk over the file has found nothing wrong; both in a
 /// process of their own, so that a crash there is a SceneError.
 /// @throws SceneError
-MeshFile loadMeshFile(const std::filesystem::path& file);
+MeshFile loadMeshFile(const std::filesystem::path& file, const SceneLimits& limits = {});
 
 }  // namespace gnomon

@@ -14,6 +14,8 @@
 #include "scene/primitives.h"
 #include "scene/text.h"
 #include "scene/weld.h"
+#include "text/deep_key.h"
+#include "text/one_line.h"
 
 namespace gnomon {
 namespace {
@@ -68,6 +70,7 @@ class Table {
     std::string text(std::string_view key) const {
         const auto value = need(key).as_string();
         if (value == nullptr) bad(need(key), fmt::format("'{}' must be a string", key));
+        if (!isOneLine(value->get())) bad(need(key), fmt::format("'{}' must be one line", key));
         return value->get();
     }
     std::string text(std::string_view key, const std::string& otherwise) const {
@@ -129,7 +132,7 @@ class Table {
     /// A string, number or truth value as the command line would have it.
     std::string word(std::string_view key) const {
         const toml::node& node = need(key);
-        if (const auto value = node.as_string()) return value->get();
+        if (node.is_string()) return text(key);
         if (const auto value = node.as_integer()) return fmt::format("{}", value->get());
         if (const auto value = node.as_floating_point()) return fmt::format("{}", value->get());
         bad(node, fmt::format("'{}' must be a string or a number", key));
@@ -161,7 +164,7 @@ class Table {
     const toml::table& m_table;
 };
 
-constexpr double kTiny = 1e-18;  // "positive": float has room for the square
+constexpr double kTiny = 1e-18;  // "positive", "not zero": float has room for the square
 
 Light readLight(const Table& table) {
     table.allow({"position", "direction", "colour"}, "a light");
@@ -173,7 +176,7 @@ Light readLight(const Table& table) {
         return light;
     }
     const glm::dvec3 direction = table.vector("direction");
-    if (glm::length(direction) == 0) table.bad(table.need("direction"), "'direction' must not be zero");
+    if (glm::length(direction) < kTiny) table.bad(table.need("direction"), "'direction' must not be zero");
     light.position = glm::vec4(glm::vec3(glm::normalize(direction)), 0);
     return light;
 }
@@ -184,7 +187,7 @@ std::vector<Camera> readCamera(const Table& table) {
     const glm::dvec3 up = table.vector("up", glm::dvec3(0, 1, 0));
     Camera camera{.eye = glm::vec3(eye), .target = glm::vec3(target), .up = glm::vec3(up)};
     if (camera.eye == camera.target) table.bad(table.need("eye"), "'eye' must differ from 'target'");
-    if (glm::length(up) == 0) table.bad(table.need("up"), "'up' must not be zero");
+    if (glm::length(up) < kTiny) table.bad(table.need("up"), "'up' must not be zero");
     camera.fovDegrees = float(table.number("fov", 0.01, 179, 45));
     camera.nearPlane = float(table.number("near", kTiny, kLargest, 0.1));
     if (!table.has("orbit")) return {camera};
@@ -193,13 +196,16 @@ std::vector<Camera> readCamera(const Table& table) {
     orbit.allow({"frames", "axis"}, "orbit");
     const int frames = orbit.integer("frames", 1, 100000, 60);
     const glm::dvec3 axis = orbit.vector("axis", glm::dvec3(0, 1, 0));
-    if (glm::length(axis) == 0) orbit.bad(orbit.need("axis"), "'axis' must not be zero");
+    if (glm::length(axis) < kTiny) orbit.bad(orbit.need("axis"), "'axis' must not be zero");
     std::vector<Camera> path;
     for (int f = 0; f < frames; ++f) {
         const glm::dmat3 turn(glm::rotate(glm::dmat4(1), glm::radians(360.0 * f / frames), axis));
         path.push_back(camera);
         path.back().eye = glm::vec3(target + turn * (eye - target));
         path.back().up = glm::vec3(turn * up);
+        if (path.back().eye == camera.target)
+            table.bad(table.need("eye"),
+                      fmt::format("'eye' must differ from 'target', but doesn't in frame {}", f));
     }
     return path;
 }
@@ -221,8 +227,29 @@ Mesh readTriangles(const Table& table) {
     return mesh;
 }
 
+/// What a scene may still ask for.
+class Budget {
+  public:
+    explicit Budget(const SceneLimits& limits) : m_limits(limits) {}
+
+    const SceneLimits& limits() const { return m_limits; }
+
+    /// Takes what @p table asks for, before it is made.
+    void take(const Table& table, std::uint64_t objects, std::uint64_t triangles) {
+        m_objects += objects, m_triangles += triangles;
+        if (m_objects > m_limits.objects) table.bad(moreThan(m_limits.objects, "objects"));
+        if (m_triangles > m_limits.triangles) table.bad(moreThan(m_limits.triangles, "triangles"));
+    }
+
+  private:
+    SceneLimits m_limits;
+    std::uint64_t m_objects = 0, m_triangles = 0;
+};
+
 /// The parameters of all shapes; each allows its own beside the common ones.
-std::vector<Object> readShape(const Table& table, std::vector<std::string>& notes, Dropped& dropped) {
+/// @param times  that it is repeated
+std::vector<Object> readShape(const Table& table, int times, Budget& budget, std::vector<std::string>& notes,
+                              Dropped& dropped) {
     const std::string shape = table.text("shape");
     const auto allow = [&](std::initializer_list<std::string_view> own) {
         std::vector<std::string_view> keys{"name",  "shape",  "at",    "rotate",
@@ -238,6 +265,9 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
     const auto segments = [&](std::string_view key, int least, int otherwise) {
         return table.integer(key, least, kMostSegments, otherwise);
     };
+    const auto take = [&](std::uint64_t objects, std::uint64_t triangles) {
+        budget.take(table, std::uint64_t(times) * objects, std::uint64_t(times) * triangles);
+    };
     const auto one = [](Mesh mesh) {
         std::vector<Object> objects(1);
         objects[0].mesh = std::move(mesh);
@@ -245,27 +275,35 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
     };
     if (shape == "box") {
         allow({"size"});
+        take(1, 12);
         return one(box(table.has("size") ? table.vector("size", kTiny, kLargest) : glm::dvec3(1)));
     }
     if (shape == "rectangle") {
         allow({"size"});
+        take(1, 2);
         const auto size = table.has("size") ? table.numbers<2>("size", kTiny) : std::array{1.0, 1.0};
         return one(rectangle({size[0], size[1]}));
     }
     if (shape == "cylinder") {
         allow({"radius", "height", "segments"});
-        return one(cylinder(positive("radius", 0.5), positive("height", 1), segments("segments", 3, 32)));
+        const int around = segments("segments", 3, 32);
+        take(1, 4 * std::uint64_t(around));
+        return one(cylinder(positive("radius", 0.5), positive("height", 1), around));
     }
     if (shape == "sphere") {
         allow({"radius", "segments", "rings"});
         const int around = segments("segments", 3, 32);
-        return one(sphere(positive("radius", 0.5), around, segments("rings", 2, std::max(2, around / 2))));
+        const int rings = segments("rings", 2, std::max(2, around / 2));
+        take(1, 2 * std::uint64_t(around) * std::uint64_t(rings - 1));
+        return one(sphere(positive("radius", 0.5), around, rings));
     }
     if (shape == "torus") {
         allow({"radius", "tube", "segments", "sides"});
         const double radius = positive("radius", 1), tube = positive("tube", 0.3);
         if (tube >= radius) table.bad("'tube' must be less than 'radius'");
-        return one(torus(radius, tube, segments("segments", 3, 32), segments("sides", 3, 16)));
+        const int around = segments("segments", 3, 32), sides = segments("sides", 3, 16);
+        take(1, 2 * std::uint64_t(around) * std::uint64_t(sides));
+        return one(torus(radius, tube, around, sides));
     }
     if (shape == "knot") {
         allow({"p", "q", "radius", "minor", "tube", "segments", "sides"});
@@ -279,11 +317,14 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
         if (knot.minor >= knot.radius) table.bad("'minor' must be less than 'radius'");
         knot.segments = segments("segments", 3, knot.segments);
         knot.sides = segments("sides", 3, knot.sides);
+        take(1, 2 * std::uint64_t(knot.segments) * std::uint64_t(knot.sides));
         return one(torusKnot(knot));
     }
     if (shape == "triangles") {
         allow({"vertices", "triangles"});
-        return one(readTriangles(table));
+        Mesh mesh = readTriangles(table);
+        take(1, mesh.triangles.size());
+        return one(std::move(mesh));
     }
     if (shape == "mesh") {
         allow({"file"});
@@ -292,12 +333,15 @@ std::vector<Object> readShape(const Table& table, std::vector<std::string>& note
             table.bad(table.need("file"), "'file' must be .obj, .ply, .stl, .gltf or .glb");
         MeshFile mesh;
         try {
-            mesh = loadMeshFile(file);
+            mesh = loadMeshFile(file, budget.limits());
         } catch (const SceneError& error) {
             table.bad(table.need("file"), error.what());
         }
         for (const std::string& note : mesh.notes)
             notes.push_back(fmt::format("{}: {}", printable(table.text("file")), note));
+        std::uint64_t triangles = mesh.dropped.repeatedVertex + mesh.dropped.flat.size();
+        for (const Object& object : mesh.objects) triangles += object.mesh.triangles.size();
+        take(mesh.objects.size(), triangles);
         dropped = std::move(mesh.dropped);
         return std::move(mesh.objects);
     }
@@ -326,7 +370,8 @@ void addObject(const Table& table, std::vector<Object> parts, Dropped unmoved, c
     if (table.has("rotate")) {
         const auto r = table.numbers<4>("rotate");
         const glm::dvec3 axis(r[0], r[1], r[2]);
-        if (glm::length(axis) == 0) table.bad(table.need("rotate"), "'rotate' needs an axis that isn't zero");
+        if (glm::length(axis) < kTiny)
+            table.bad(table.need("rotate"), "'rotate' needs an axis that isn't zero");
         turn = glm::rotate(glm::dmat4(1), glm::radians(r[3]), axis);
     }
     const auto move = [&](glm::vec3& p) {
@@ -360,12 +405,12 @@ void addObject(const Table& table, std::vector<Object> parts, Dropped unmoved, c
     }
 }
 
-void readObject(const Table& table, Scene& scene) {
+void readObject(const Table& table, Budget& budget, Scene& scene) {
     Dropped unmoved;
-    const std::vector<Object> parts = readShape(table, scene.notes, unmoved);
+    const Repeat repeat = readRepeat(table);
+    const std::vector<Object> parts = readShape(table, repeat.count, budget, scene.notes, unmoved);
     const std::string name = table.text("name", table.text("shape"));
     const glm::dvec3 at = table.vector("at", glm::dvec3(0));
-    const Repeat repeat = readRepeat(table);
     for (int i = 0; i < repeat.count; ++i)
         addObject(table, parts, unmoved, repeat.count == 1 ? name : fmt::format("{} {}", name, i + 1),
                   at + double(i) * repeat.step, scene);
@@ -410,8 +455,7 @@ HardCase readHardCase(const Table& table) {
     HardCase hard;
     const auto line = [&](std::string_view key) {
         std::string text = table.text(key);
-        if (text.empty() || text.find('\n') != std::string::npos)
-            table.bad(table.need(key), fmt::format("'{}' must be one line", key));
+        if (text.empty()) table.bad(table.need(key), fmt::format("'{}' must be one line", key));
         return text;
     };
     hard.family = line("family"), hard.what = line("what"), hard.source = line("source");
@@ -420,7 +464,7 @@ HardCase readHardCase(const Table& table) {
     return hard;
 }
 
-Scene readScene(const std::filesystem::path& file, const toml::table& root) {
+Scene readScene(const std::filesystem::path& file, const toml::table& root, const SceneLimits& limits) {
     const Table table(file, root);
     table.allow({"title", "ambient", "background", "light", "lights", "camera", "objects", "hard"},
                 "a scene");
@@ -435,7 +479,8 @@ Scene readScene(const std::filesystem::path& file, const toml::table& root) {
         for (const Table& light : table.tables("lights")) scene.lights.push_back(readLight(light));
     scene.frames = readCamera(table.table("camera"));
     const std::vector<Table> objects = table.tables("objects");
-    for (const Table& object : objects) readObject(object, scene);
+    Budget budget(limits);
+    for (const Table& object : objects) readObject(object, budget, scene);
     if (scene.objects.empty() && !objects.empty()) table.bad("no triangle left");
     if (table.has("hard")) scene.hard = readHardCase(table.table("hard"));
     return scene;
@@ -443,15 +488,17 @@ Scene readScene(const std::filesystem::path& file, const toml::table& root) {
 
 }  // namespace
 
-Scene loadSceneFile(const std::filesystem::path& file) {
-    const std::string text = readWhole(file);
+Scene loadSceneFile(const std::filesystem::path& file, const SceneLimits& limits) {
+    const std::string text = readWhole(file, limits.tomlBytes);
+    if (const std::size_t line = lineOfDeepKey(text); line > 0)
+        fail(file, line, fmt::format("a key of more than {} parts", kMostKeyParts));
     toml::table root;
     try {
         root = toml::parse(text);
     } catch (const toml::parse_error& error) {
         fail(file, error.source().begin.line, printable(error.description()));
     }
-    return readScene(file, root);
+    return readScene(file, root, limits);
 }
 
 }  // namespace gnomon

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "scene/limits.h"
 #include "scene/scene.h"
 
 namespace gnomon {
@@ -33,6 +34,6 @@ namespace gnomon {
 ///
 /// An object is scaled, rotated, then moved.
 /// @throws SceneError "file:line: what"
-Scene loadSceneFile(const std::filesystem::path& file);
+Scene loadSceneFile(const std::filesystem::path& file, const SceneLimits& limits = {});
 
 }  // namespace gnomon

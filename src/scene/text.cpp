@@ -35,7 +35,7 @@ void fail(const std::filesystem::path& file, std::size_t line, std::string_view 
     throw SceneError(fmt::format("{}:{}: {}", printable(file.string()), line, what));
 }
 
-std::string readWhole(const std::filesystem::path& file) {
+std::string readWhole(const std::filesystem::path& file, std::uint64_t most) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (status.type() == std::filesystem::file_type::not_found) fail(file, "no such file");
@@ -44,7 +44,10 @@ std::string readWhole(const std::filesystem::path& file) {
     if (!std::filesystem::is_regular_file(status)) fail(file, "is no regular file");
     std::ifstream stream(file, std::ios::binary);
     if (!stream) fail(file, "can't be opened");
-    std::string data(std::filesystem::file_size(file), '\0');
+    const std::uint64_t size = std::filesystem::file_size(file, error);
+    if (error) fail(file, error.message());
+    if (size > most) fail(file, fmt::format("{} bytes, more than the {} that gnomon reads", size, most));
+    std::string data(size, '\0');
     stream.read(data.data(), std::streamsize(data.size()));
     if (stream.gcount() != std::streamsize(data.size())) fail(file, "can't be read");
     return data;

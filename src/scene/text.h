@@ -20,8 +20,8 @@ std::string printable(std::string_view text);
 [[noreturn]] void fail(const std::filesystem::path& file, std::size_t line, std::string_view what);
 
 /// All bytes of a regular file.
-/// @throws SceneError if it is none, or can't be read
-std::string readWhole(const std::filesystem::path& file);
+/// @throws SceneError if it is none, has more than @p most bytes, or can't be read
+std::string readWhole(const std::filesystem::path& file, std::uint64_t most);
 
 /// The lines of a text, "\n" or "\r\n", numbered from 1.
 class Lines {

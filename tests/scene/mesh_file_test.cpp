@@ -275,7 +275,7 @@ TEST_F(GltfFile, BeyondItsBufferIsRefused) {
     text.replace(text.find("\"count\": 3"), 10, "\"count\": 4");
     EXPECT_EQ(errorOfFile("a.gltf", text), "a.gltf: accessor 0 ends past buffer view 0 of 36 bytes");
     EXPECT_EQ(errorOfFile("b.gltf", "{\n\"asset\": }"), "b.gltf:2: bad JSON at byte 12");
-    EXPECT_THAT(errorOfFile("c.gltf", std::string(100000, '[')), HasSubstr("nested too deeply"));
+    EXPECT_THAT(errorOfFile("c.gltf", std::string(100000, '[')), HasSubstr("nested deeper than 200"));
 }
 
 }  // namespace mesh_file_test
