@@ -15,6 +15,8 @@ struct SceneLimits {
     std::uint64_t tomlBytes = 16'777'216;     ///< of a scene file: its parser takes some fifty times as much
     std::uint64_t triangles = 33'554'432;     ///< with those that are dropped for want of an area
     std::uint64_t objects = 1'000'000;
+    std::uint64_t polygonSteps =
+        500'000'000;                        ///< to cut polygons into triangles (triangulate()): some seconds
     std::uint64_t jsonValues = 16'777'216;  ///< of a glTF file, its keys among them
 };
 

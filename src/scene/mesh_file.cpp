@@ -79,7 +79,10 @@ class Importer {
             if (corners.size() < 3) continue;  // a point or line: real faces were checked
             if (std::ranges::any_of(corners, [&](unsigned v) { return v >= mesh.mNumVertices; }))
                 fail(m_file, fmt::format("mesh '{}', face {}: index out of range", object.name, f));
-            triangulate(positions, corners, triangles);
+            m_steps += triangulate(positions, corners, triangles);
+            if (m_steps > m_limits.polygonSteps)
+                fail(m_file, fmt::format("mesh '{}', face {}: {}", object.name, f,
+                                         moreThan(m_limits.polygonSteps, "steps to cut polygons")));
         }
         m_triangles += triangles.size();
         if (triangles.empty()) return;
@@ -118,6 +121,7 @@ class Importer {
     std::size_t m_materials;
     MeshFile& m_out;
     std::size_t m_triangles = 0, m_empty = 0;
+    std::uint64_t m_steps = 0;
 };
 
 MeshFile parse(const std::filesystem::path& file, const SceneLimits& limits) {

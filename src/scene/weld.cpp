@@ -84,8 +84,9 @@ bool isEar(std::span<const glm::vec3> positions, std::span<const std::uint32_t> 
 
 }  // namespace
 
-void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners,
-                 std::vector<glm::uvec3>& triangles) {
+std::uint64_t triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners,
+                          std::vector<glm::uvec3>& triangles) {
+    std::uint64_t steps = 0;
     std::vector<std::uint32_t> rest;
     if (corners.size() > 3 && corners.size() <= kMaxEarCorners) {
         const glm::dvec3 normal = polygonNormal(positions, corners);
@@ -96,6 +97,7 @@ void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint
                 for (std::size_t i = 0; i < rest.size() && !clipped; ++i) {
                     const std::uint32_t a = rest[(i + rest.size() - 1) % rest.size()], b = rest[i],
                                         c = rest[(i + 1) % rest.size()];
+                    steps += rest.size();
                     if (!isEar(positions, rest, a, b, c, normal)) continue;
                     triangles.emplace_back(a, b, c);
                     rest.erase(rest.begin() + std::ptrdiff_t(i));
@@ -107,6 +109,7 @@ void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint
     }
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         triangles.emplace_back(corners[0], corners[i], corners[i + 1]);
+    return steps;
 }
 
 Mesh weld(std::span<const glm::vec3> positions, std::span<const glm::uvec3> triangles, Dropped& dropped) {

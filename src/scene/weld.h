@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -26,8 +27,9 @@ Mesh joinCasters(const Scene& scene, bool withFlat);
 /// outlines) and beyond 500 corners.
 ///
 /// @param corners indices into @p positions, at least 3
-void triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners,
-                 std::vector<glm::uvec3>& triangles);
+/// @return how often a corner was held against an ear, which grows with the cube of the corners
+std::uint64_t triangulate(std::span<const glm::vec3> positions, std::span<const std::uint32_t> corners,
+                          std::vector<glm::uvec3>& triangles);
 
 /// "12 degenerate triangles dropped (10 repeat a vertex, 2 have no area)"; empty if none were.
 std::string describe(const Dropped& dropped);

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "scene/mesh_file.h"
 #include "scene/primitives.h"
 #include "tools.h"
@@ -84,6 +86,26 @@ TEST_F(SceneLimit, OfTrianglesHoldsForMeshes) {
     append(binary, std::uint32_t(4));
     EXPECT_EQ(errorWith(three, "b.stl", binary + std::string(200, '\0')),
               "b.stl: 4 triangles, more than the 3 that gnomon takes");
+}
+
+// Without one, a megabyte of spirals takes minutes.
+TEST_F(SceneLimit, OfStepsHoldsForPolygonsThatAreHardToCut) {
+    constexpr int kCorners = 500;
+    std::string corners, face = "f";
+    for (int i = 0; i < kCorners; ++i) {
+        // Outwards along the spiral, and back beside it.
+        const bool isBack = i >= kCorners / 2;
+        const int k = isBack ? kCorners - 1 - i : i;
+        const double angle = 0.25 * k, radius = (isBack ? 0.95 : 1) + 0.1 * k;
+        corners += fmt::format("v {:.6f} {:.6f} 0\n", radius * std::cos(angle), radius * std::sin(angle));
+        face += fmt::format(" {}", i + 1);
+    }
+    face += "\n";
+    EXPECT_EQ(errorWith({}, "a.obj", corners + face), "no error");
+    EXPECT_THAT(errorWith({.polygonSteps = 1000}, "a.obj", corners + face),
+                HasSubstr("face 0: more than the 1000 steps to cut polygons that gnomon takes"));
+    EXPECT_THAT(errorWith({.polygonSteps = 20'000'000}, "a.obj", corners + repeated(face, 1000)),
+                HasSubstr("more than the 20000000 steps to cut polygons that gnomon takes"));
 }
 
 TEST_F(SceneLimit, OfAnnouncedTrianglesNeedsNoTriangle) {
