@@ -12,6 +12,9 @@
 namespace gnomon {
 namespace {
 
+/// Some two million lines.
+constexpr std::uintmax_t kMostExpectationBytes = 268'435'456;
+
 constexpr const char* kNoReason = "nobody has looked at it yet";
 constexpr const char* kUsual = "attenuated gl";  ///< Cell::question() after the id, of the default choice
 
@@ -158,6 +161,9 @@ Expectations readExpectations(const std::filesystem::path& file) {
         throw ExpectationError(fmt::format(
             "{}: {}", file.string(),
             std::filesystem::exists(file, none) ? "can't be read" : "no such file (--update writes it)"));
+    if (const auto size = std::filesystem::file_size(file, none); !none && size > kMostExpectationBytes)
+        throw ExpectationError(fmt::format("{}: {} bytes, more than the {} that gnomon reads", file.string(),
+                                           size, kMostExpectationBytes));
     Parser parser(file.string());
     for (std::string line; std::getline(in, line);) parser.line(line);
     return parser.take();

@@ -20,6 +20,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// Some four million cells; a store (--out) has no such limit.
+constexpr std::uintmax_t kMostRunBytes = 4'294'967'296;
 constexpr int kLargestSide = 8192;  ///< of a window, pixels: as --size takes it
 
 /// The elements of a JSON array, one after the other, as text: a run is too large to be held as one value.
@@ -320,6 +322,9 @@ RunRecord readRun(const std::filesystem::path& file) {
     std::error_code error;
     if (std::filesystem::is_directory(file, error))
         throw RunError(file.string() + ": is a folder without a run");
+    if (const auto size = std::filesystem::file_size(file, error); !error && size > kMostRunBytes)
+        throw RunError(fmt::format("{}: {} bytes, more than the {} that gnomon reads", file.string(), size,
+                                   kMostRunBytes));
     std::ifstream in(file, std::ios::binary);
     std::ostringstream text;
     if (in) text << in.rdbuf();

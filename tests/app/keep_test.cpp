@@ -497,5 +497,17 @@ TEST_F(Keep, AReportTakesAKeptRun) {
     EXPECT_EQ(contentOf(pathOf("page.html")), contentOf(pathOf("other.html")));
 }
 
+// Sparse files of 100 GB: nothing is read of them.
+TEST_F(Keep, FilesBeyondAllMeasureAreRefused) {
+    for (const char* name : {"huge.json", "huge.txt"}) {
+        write(name, "");
+        std::filesystem::resize_file(pathOf(name), 100'000'000'000);
+    }
+    expectRefused(run({"report", pathOf("huge.json"), "-o", pathOf("page.html")}),
+                  "huge.json: 100000000000 bytes, more than the 4294967296 that gnomon reads");
+    expectRefused(run({"check", "--expected", pathOf("huge.txt")}),
+                  "huge.txt: 100000000000 bytes, more than the 268435456 that gnomon reads");
+}
+
 }  // namespace keep_test
 }  // namespace gnomon
