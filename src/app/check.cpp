@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
@@ -84,6 +85,12 @@ int run(const CheckOptions& options) {
     if (!options.update) return result.isGood() ? 0 : kDiffers;
     if (result.count(CheckClass::Flaky) > 0) {
         fmt::print(stderr, "{} stays as it is: a flaky cell has no outcome to expect\n", expectations.file);
+        return kDiffers;
+    }
+    const auto failed = std::count_if(runs.front().begin(), runs.front().end(),
+                                      [](const Cell& cell) { return cell.verdict == Verdict::Failed; });
+    if (failed > 0) {
+        fmt::print(stderr, "{} stays as it is: {} of its cells have failed\n", expectations.file, failed);
         return kDiffers;
     }
     const Expectations after = updated(expectations, toText(choice), runs.front());

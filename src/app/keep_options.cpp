@@ -23,6 +23,8 @@ void sayBefore(const RunStore& run) {
     if (counts.changed)
         fmt::print(stderr, "{}: {} of which the program, the scene or the chip has changed; drawn again\n",
                    folder, cellsText(counts.changed));
+    if (counts.bare)
+        fmt::print(stderr, "{}: {} without pictures; drawn again\n", folder, cellsText(counts.bare));
     if (counts.retried)
         fmt::print(stderr, "{}: {} had failed; drawn again\n", folder, cellsText(counts.retried));
     const auto sessions = run.store().sessions();

@@ -19,7 +19,8 @@ namespace {
 enum Exit { kBadInput = 2, kOurFault = 3 };
 
 int fail(Exit status, const std::string& what) {
-    fmt::print(stderr, "gnomon: {}\n", gnomon::oneLine(what));
+    // Where standard error is closed, too, there is nobody to tell.
+    std::fputs(fmt::format("gnomon: {}\n", gnomon::oneLine(what)).c_str(), stderr);
     return status;
 }
 
@@ -45,7 +46,8 @@ int main(int argc, char** argv) {
     } catch (const gnomon::ProfileError& error) {
         return fail(kBadInput, error.what());
     } catch (const std::exception& error) {
-        return fail(kOurFault, error.what());
+        const bool isOutput = std::ferror(stdout) || std::ferror(stderr);
+        return fail(isOutput ? kBadInput : kOurFault, error.what());
     }
     errno = 0;
     if (std::fflush(stdout) != 0 || std::ferror(stdout))

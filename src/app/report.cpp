@@ -138,8 +138,9 @@ void addReport(CLI::App& app, Task& chosen) {
         "run\n"
         "prints all that the page says.");
     command
-        ->add_option("run", options->runs,
-                     "what gnomon matrix --format json wrote; or two of these, the older first")
+        ->add_option(
+            "run", options->runs,
+            "what gnomon matrix --format json wrote, or a folder of --out; or two of these, the older first")
         ->required()
         ->type_name("FILE.json");
     options->output.addTo(*command, "-o,--output");

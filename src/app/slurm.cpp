@@ -17,7 +17,7 @@ struct SlurmOptions {
     std::vector<CLI::Option*> choiceFlags{};
     WorkerOptions workers{};
     std::vector<CLI::Option*> workerFlags{};
-    std::string folder{}, past{};
+    std::string folder{}, past{}, pictures = "yes";
     int shards = 2;
 };
 
@@ -32,7 +32,8 @@ std::string scriptOf(const std::string& program, const std::string& words, const
     return fmt::format(
         R"(#!/bin/bash
 # A run of gnomon in {shards} shards, on as many machines as there are: sbatch THIS-FILE
-# Flags of sbatch, such as --time or --partition, can be given there, or here:
+# Flags of sbatch, such as --time, can be given there, or here; for the job that comes after, too, as variables that sbatch
+# knows, such as SBATCH_TIMELIMIT. Account, partition and quality of service are handed on.
 #SBATCH --job-name=gnomon
 #SBATCH --array=1-{shards}
 #SBATCH --cpus-per-task={jobs}
@@ -42,13 +43,15 @@ std::string scriptOf(const std::string& program, const std::string& words, const
 set -euo pipefail
 gnomon=${{GNOMON:-{program}}}
 out={out}
-mkdir -p "$out"
+mkdir -p -- "$out"
 
 # What comes after all shards, and looks whether they are whole. The marker comes last: twice is better than never.
 export gnomon out
 submitted=$out/merge-$SLURM_ARRAY_JOB_ID
 if [ "$SLURM_ARRAY_TASK_ID" = "$SLURM_ARRAY_TASK_MIN" ] && [ ! -e "$submitted" ]; then
-    sbatch --dependency="afterany:$SLURM_ARRAY_JOB_ID" --job-name=gnomon-merge --open-mode=append \
+    SBATCH_ACCOUNT=${{SLURM_JOB_ACCOUNT:-}} SBATCH_PARTITION=${{SLURM_JOB_PARTITION:-}} SBATCH_QOS=${{SLURM_JOB_QOS:-}}
+    for name in SBATCH_ACCOUNT SBATCH_PARTITION SBATCH_QOS; do [ -z "${{!name}}" ] || export "${{name?}}"; done
+    if sbatch --dependency="afterany:$SLURM_ARRAY_JOB_ID" --job-name=gnomon-merge --open-mode=append \
         --output="gnomon-${{SLURM_ARRAY_JOB_ID}}_merge.log" <<'MERGE'
 #!/bin/bash
 set -u
@@ -62,7 +65,9 @@ merged=$?
 reported=$?
 exit $((merged > reported ? merged : reported))
 MERGE
-    touch "$submitted"
+    then touch -- "$submitted"
+    else echo "no job could be submitted from here; after all shards: gnomon merge $out/shard-* --out $out/whole" >&2
+    fi
 fi
 
 exec "$gnomon" matrix{words} \
@@ -82,6 +87,7 @@ int run(const SlurmOptions& options) {
     for (auto& word : choiceOf(options.workerFlags))
         if (word.first != "--jobs") all.push_back(std::move(word));
     if (!options.past.empty()) all.emplace_back("--past", options.past);
+    if (options.pictures == "no") all.emplace_back("--pictures", "no");
     for (const auto& [flag, value] : all) words += fmt::format(" {} {}", flag, shellWord(value));
     const bool hasJobs =
         std::any_of(options.workerFlags.begin(), options.workerFlags.end(),
@@ -117,6 +123,9 @@ void addSlurm(CLI::App& app, Task& chosen) {
     command->add_option("--out", options->folder, "where all goes, on a disk that all machines see")
         ->required()
         ->type_name("DIR");
+    command
+        ->add_option("--pictures", options->pictures, "keep image and mask of each cell, too (default: yes)")
+        ->check(CLI::IsMember({"yes", "no"}));
     command
         ->add_option("--past", options->past, "an earlier run there, by whose times the shards are balanced")
         ->type_name("DIR");

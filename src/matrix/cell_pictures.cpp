@@ -39,6 +39,12 @@ void writePictures(const std::filesystem::path& folder, const std::string& diges
     writeNew(maskFileOf(folder, digest), pictures.mask);
 }
 
+bool hasPictures(const std::filesystem::path& folder, const std::string& digest) {
+    std::error_code none;
+    return digest.empty() || (std::filesystem::exists(imageFileOf(folder, digest), none) &&
+                              std::filesystem::exists(maskFileOf(folder, digest), none));
+}
+
 bool linkPictures(const std::filesystem::path& from, const std::filesystem::path& to,
                   const std::string& digest) {
     return !linked(imageFileOf(from, digest), imageFileOf(to, digest)) &&

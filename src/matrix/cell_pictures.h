@@ -16,6 +16,9 @@ std::filesystem::path maskFileOf(const std::filesystem::path& folder, const std:
 /// @throws std::runtime_error "file: what"
 void writePictures(const std::filesystem::path& folder, const std::string& digest, const Pictures& pictures);
 
+/// Whether both are there; one that was not drawn (no digest) has none.
+bool hasPictures(const std::filesystem::path& folder, const std::string& digest);
+
 /// Has the pictures of a cell in another folder too: as links, or as copies on another disk.
 /// @return false if one is missing, or can't be had there
 bool linkPictures(const std::filesystem::path& from, const std::filesystem::path& to,

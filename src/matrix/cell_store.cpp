@@ -7,7 +7,11 @@
 #include <sqlite3.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
+#include <fstream>
+#include <string_view>
 #include <utility>
 
 #include "matrix/digest.h"
@@ -31,6 +35,11 @@ pid_t holderOf(const std::filesystem::path& file) {
     const bool isKnown = fcntl(opened, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
     close(opened);
     return isKnown ? lock.l_pid : 0;
+}
+
+/// The database by a name that SQLite takes for nothing else than a file.
+std::string fileOf(const std::filesystem::path& folder) {
+    return std::filesystem::absolute(folder / CellStore::kFile);
 }
 
 /// What SQLite says of a store, for people.
@@ -87,6 +96,44 @@ void checkFolder(const std::filesystem::path& folder) {
     if (!isEmpty) throw StoreError(fmt::format("{}: has other things than a run in it", folder.string()));
 }
 
+/// What the first bytes of a database say (SQLite's file format, 1.3 "The Database Header"), without a write
+/// to it.
+struct DatabaseHeader {
+    bool isDatabase = false, isEmpty = false;
+    int application = 0, format = 0;
+};
+
+DatabaseHeader headerOf(const std::filesystem::path& file) {
+    std::array<unsigned char, 100> bytes{};
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(bytes.data()), bytes.size());
+    if (in.gcount() == 0) return {.isDatabase = true, .isEmpty = true};
+    const auto number = [&](std::size_t at) {
+        return int(unsigned(bytes[at]) << 24 | unsigned(bytes[at + 1]) << 16 | unsigned(bytes[at + 2]) << 8 |
+                   bytes[at + 3]);
+    };
+    constexpr std::string_view kMagic("SQLite format 3", 16);
+    return {.isDatabase = std::equal(kMagic.begin(), kMagic.end(), bytes.begin()),
+            .isEmpty = number(40) == 0,  // the schema's cookie: no table was made
+            .application = number(68),
+            .format = number(60)};
+}
+
+/// Refuses a file that is none of ours, before anything is written there. What a log beside it holds is not
+/// known here.
+void checkHeader(const std::filesystem::path& folder) {
+    std::error_code none;
+    const auto file = folder / CellStore::kFile;
+    if (!std::filesystem::exists(file, none) || std::filesystem::exists(file.string() + "-wal", none)) return;
+    const DatabaseHeader header = headerOf(file);
+    if (header.isDatabase && header.isEmpty) return;
+    if (!header.isDatabase || header.application != kApplication)
+        throw StoreError(fmt::format("{}: {} is no store of gnomon", folder.string(), CellStore::kFile));
+    if (header.format != kFormat)
+        throw StoreError(fmt::format("{}: {} has format {}, this gnomon reads {}", folder.string(),
+                                     CellStore::kFile, header.format, kFormat));
+}
+
 }  // namespace
 
 struct CellStore::Impl {
@@ -115,6 +162,22 @@ struct CellStore::Impl {
                                          CellStore::kFile, format, kFormat));
     }
 
+    /// @throws StoreError  pages are damaged, or somebody has added to what we made
+    void checkContent(SQLite::Database& db) const {
+        const std::string fault = db.execAndGet("PRAGMA quick_check(1)");
+        if (fault != "ok")
+            throw StoreError(fmt::format("{}: {} is damaged ({}); without it the run begins anew",
+                                         folder.string(), CellStore::kFile, fault));
+        const int ours = db.execAndGet(
+            "SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name IN ('settings', 'sessions', "
+            "'cells')");
+        const int foreign =
+            db.execAndGet("SELECT count(*) FROM sqlite_master WHERE type IN ('trigger', 'view')");
+        if (ours != 3 || foreign != 0)
+            throw StoreError(fmt::format("{}: {} has not the tables that it was made with", folder.string(),
+                                         CellStore::kFile));
+    }
+
     void put(const StoredCell& cell) {
         SQLite::Statement& s = *insertion;
         s.reset();
@@ -135,11 +198,11 @@ CellStore::~CellStore() = default;
 
 CellStore CellStore::toWrite(const std::filesystem::path& folder) {
     checkFolder(folder);
+    checkHeader(folder);
     auto impl = std::make_unique<Impl>();
     impl->folder = folder;
     impl->guarded([&] {
-        impl->database.emplace((folder / kFile).string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                               kWriterWaitsMs);
+        impl->database.emplace(fileOf(folder), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kWriterWaitsMs);
         SQLite::Database& db = *impl->database;
         // The lock is taken by the first access and held until the process ends, in whatever way; and the log
         // needs no shared memory then, which files on a network haven't.
@@ -147,14 +210,14 @@ CellStore CellStore::toWrite(const std::filesystem::path& folder) {
         db.exec("PRAGMA journal_mode = WAL");
         db.exec("PRAGMA synchronous = NORMAL");
         SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
-        if (!db.tableExists("cells")) {
-            // None of ours, or one that was ended before it had begun.
-            if (int(db.execAndGet("SELECT count(*) FROM sqlite_master")) > 0) impl->checkFormat(db);
+        // Else it was ended before it had begun.
+        if (int(db.execAndGet("SELECT count(*) FROM sqlite_master")) == 0) {
             db.exec(kSchema);
             db.exec(fmt::format("PRAGMA application_id = {}", kApplication));
             db.exec(fmt::format("PRAGMA user_version = {}", kFormat));
         }
         impl->checkFormat(db);
+        impl->checkContent(db);
         transaction.commit();
         impl->insertion.emplace(db, "INSERT OR REPLACE INTO cells VALUES (?, ?, ?, ?, ?, ?)");
     });
@@ -166,15 +229,16 @@ CellStore CellStore::toRead(const std::filesystem::path& folder) {
     auto impl = std::make_unique<Impl>();
     impl->folder = folder;
     impl->guarded([&] {
-        const std::string file = folder / kFile;
+        const std::string file = fileOf(folder);
         // What was broken off is put right by opening it, which is to write.
         const bool isWritable = access(file.c_str(), W_OK) == 0 && access(folder.c_str(), W_OK) == 0;
         impl->database.emplace(file, isWritable ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY,
                                kReaderWaitsMs);
         impl->database->exec("PRAGMA locking_mode = EXCLUSIVE");
-        impl->checkFormat(*impl->database);
-        if (!impl->database->tableExists("cells"))
+        if (int(impl->database->execAndGet("SELECT count(*) FROM sqlite_master")) == 0)
             throw StoreError(fmt::format("{}: the run there has not begun", folder.string()));
+        impl->checkFormat(*impl->database);
+        impl->checkContent(*impl->database);
     });
     return CellStore(std::move(impl));
 }

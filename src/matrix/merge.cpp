@@ -5,6 +5,7 @@
 #include <map>
 
 #include "matrix/cell_pictures.h"
+#include "matrix/stored_cell.h"
 
 namespace gnomon {
 namespace {
@@ -16,13 +17,21 @@ RunSettings wholeOf(RunSettings shard, std::size_t cells) {
     return withSetting(std::move(shard), "cells", fmt::format("{}", cells));
 }
 
-/// The stores of all shards in their order.
+/// The shards of one run in their order.
+struct ShardFolders {
+    std::vector<std::filesystem::path> folders{};
+    std::size_t cells = 0;
+    RunSettings whole{};
+};
+
+/// One is open at a time: there may be more of them than a process may have files.
 /// @throws StoreError
-std::vector<CellStore> shardsIn(const std::vector<std::filesystem::path>& folders) {
-    std::map<Shard, CellStore> found;
+ShardFolders shardsIn(const std::vector<std::filesystem::path>& folders) {
+    ShardFolders result;
+    std::map<Shard, std::filesystem::path> found;
     RunSettings first;
     for (const std::filesystem::path& folder : folders) {
-        CellStore store = CellStore::toRead(folder);
+        const CellStore store = CellStore::toRead(folder);
         const auto fail = [&](const std::string& what) {
             throw StoreError(fmt::format("{}: {}", folder.string(), what));
         };
@@ -30,26 +39,42 @@ std::vector<CellStore> shardsIn(const std::vector<std::filesystem::path>& folder
         const Shard shard = shardFrom(settingOf(settings, "shard"));
         if (shard.count == 0) fail("is damaged: it does not say which shard it is");
         if (first.empty()) first = settings;
-        RunSettings like = withSetting(settings, "shard", settingOf(first, "shard"));
+        RunSettings like = withLimitsOf(withSetting(settings, "shard", settingOf(first, "shard")), first);
         like = withSetting(like, "cells", settingOf(first, "cells"));
         if (const std::string difference = differenceOf(first, like); !difference.empty())
             fail(fmt::format("is of another run than {} ({})", folders.front().string(), difference));
         if (shard.count != shardFrom(settingOf(first, "shard")).count)
             fail(fmt::format("is shard {}, but {} is {}", toText(shard), folders.front().string(),
                              settingOf(first, "shard")));
-        if (const auto twin = found.find(shard); twin != found.end())
-            fail(fmt::format("is shard {}, as {} is", toText(shard), twin->second.folder().string()));
+        if (const auto [twin, isNew] = found.try_emplace(shard, folder); !isNew)
+            fail(fmt::format("is shard {}, as {} is", toText(shard), twin->second.string()));
         if (const std::string missing = missingOf(store); !missing.empty())
             fail(fmt::format("is not at its end: {} are there", missing));
-        found.emplace(shard, std::move(store));
+        result.cells += store.count();
     }
     const int count = shardFrom(settingOf(first, "shard")).count;
     for (int index = 1; index <= count; ++index)
         if (!found.contains({index, count}))
             throw StoreError(fmt::format("shard {} is missing", toText(Shard{index, count})));
-    std::vector<CellStore> stores;
-    for (auto& [shard, store] : found) stores.push_back(std::move(store));
-    return stores;
+    for (const auto& [shard, folder] : found) result.folders.push_back(folder);
+    result.whole = wholeOf(first, result.cells);
+    return result;
+}
+
+/// Takes all of a shard, cells as they are once they have been found whole.
+void addShard(CellStore& whole, const std::filesystem::path& folder) {
+    const CellStore shard = CellStore::toRead(folder);
+    const auto pictures = folder / CellStore::kPictures;
+    const bool hasThem = settingOf(shard.settings(), "pictures") == "yes";
+    for (const StoredSession& session : shard.sessions()) whole.addSession(session);
+    shard.forEach([&](const StoredCell& stored) {
+        const auto cell = cellIn(stored);
+        if (!cell || (hasThem && !hasPictures(pictures, cell->digest)))
+            throw StoreError(fmt::format("{}: {}; the command that drew it draws it again", folder.string(),
+                                         cell ? fmt::format("a picture of {} is missing", cell->id())
+                                              : fmt::format("cell {} is damaged", stored.place)));
+        whole.put(stored);
+    });
 }
 
 }  // namespace
@@ -67,28 +92,22 @@ CellStore mergedShards(const std::vector<std::filesystem::path>& folders,
         if (std::filesystem::equivalent(shard, folder, none))
             throw StoreError(fmt::format("{}: is a shard itself", folder.string()));
     }
-    const std::vector<CellStore> shards = shardsIn(folders);
-    std::size_t cells = 0;
-    for (const CellStore& shard : shards) cells += shard.count();
-    const RunSettings settings = wholeOf(shards.front().settings(), cells);
-
+    const ShardFolders shards = shardsIn(folders);
     CellStore whole = CellStore::toWrite(folder);
     const RunSettings there = whole.settings();
-    if (const std::string difference = there.empty() ? "" : differenceOf(there, settings);
+    if (const std::string difference =
+            there.empty() ? "" : differenceOf(there, withLimitsOf(shards.whole, there));
         !difference.empty())
         throw StoreError(fmt::format("{}: another run is there ({})", folder.string(), difference));
-    for (const CellStore& shard : shards)
-        linkAllPictures(shard.folder() / CellStore::kPictures, folder / CellStore::kPictures);
+    for (const std::filesystem::path& shard : shards.folders)
+        linkAllPictures(shard / CellStore::kPictures, folder / CellStore::kPictures);
     whole.inOneTransaction([&] {
         whole.clear();
-        whole.setSettings(settings);
-        for (const CellStore& shard : shards) {
-            for (const StoredSession& session : shard.sessions()) whole.addSession(session);
-            shard.forEach([&](const StoredCell& cell) { whole.put(cell); });
-        }
-        if (whole.count() != cells)
+        whole.setSettings(shards.whole);
+        for (const std::filesystem::path& shard : shards.folders) addShard(whole, shard);
+        if (whole.count() != shards.cells)
             throw StoreError(
-                fmt::format("{}: shards share {} cells", folder.string(), cells - whole.count()));
+                fmt::format("{}: shards share {} cells", folder.string(), shards.cells - whole.count()));
     });
     whole.finish();
     return whole;

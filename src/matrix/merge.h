@@ -11,7 +11,7 @@ namespace gnomon {
 /// there whole or not at all; pictures are linked, or copied to another disk. Memory doesn't grow with the
 /// number of cells.
 /// @return the store of the whole
-/// @throws StoreError  a shard is missing, not at its end, there twice, or of another run
+/// @throws StoreError  a shard is missing, not at its end, there twice, of another run, or damaged
 CellStore mergedShards(const std::vector<std::filesystem::path>& shards, const std::filesystem::path& folder);
 
 /// What is missing of a run: "120 of 378 cells"; "" if nothing is.

@@ -64,9 +64,10 @@ std::string onlyIn(const std::vector<std::string>& items, const std::vector<std:
     return fmt::format("{}{}", fmt::join(only, ", "), more ? fmt::format(" and {} more", more) : "");
 }
 
-std::string differenceOf(const std::string& kept, const std::string& asked) {
+std::string differenceOf(const std::string& name, const std::string& kept, const std::string& asked) {
+    static const std::set<std::string> kLists{"scenes", "profiles", "methods", "sizes", "frames", "fidelity"};
     const auto there = itemsOf(kept), here = itemsOf(asked);
-    if (there.size() == 1 || here.size() == 1)
+    if (!kLists.contains(name) || there.size() == 1 || here.size() == 1)
         return fmt::format("{}, there {}", asked.empty() ? "none" : asked, kept.empty() ? "none" : kept);
     const std::string with = onlyIn(here, there), without = onlyIn(there, here);
     if (with.empty() && without.empty()) return "in another order";
@@ -129,11 +130,17 @@ RunSettings withSetting(RunSettings settings, const std::string& name, const std
     return settings;
 }
 
+RunSettings withLimitsOf(RunSettings settings, const RunSettings& other) {
+    for (const char* limit : {"timeout", "memory"})
+        settings = withSetting(std::move(settings), limit, settingOf(other, limit));
+    return settings;
+}
+
 std::string differenceOf(const RunSettings& kept, const RunSettings& asked) {
     std::vector<std::string> differences;
     for (const auto& [name, value] : asked)
         if (const std::string there = settingOf(kept, name); there != value)
-            differences.push_back(fmt::format("{}: {}", name, differenceOf(there, value)));
+            differences.push_back(fmt::format("{}: {}", name, differenceOf(name, there, value)));
     return fmt::format("{}", fmt::join(differences, "; "));
 }
 

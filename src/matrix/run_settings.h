@@ -21,6 +21,9 @@ std::string settingOf(const RunSettings& settings, const std::string& name);
 /// @p settings with another value of @p name.
 RunSettings withSetting(RunSettings settings, const std::string& name, const std::string& value);
 
+/// @p settings with the limits of @p other, on which no result depends but that of a failed cell.
+RunSettings withLimitsOf(RunSettings settings, const RunSettings& other);
+
 /// How @p asked differs from @p kept, in one line: "profiles: with tnt, without ps2; sizes: 64x48, there
 /// 320x240". "" if they are the same.
 std::string differenceOf(const RunSettings& kept, const RunSettings& asked);

@@ -8,8 +8,9 @@
 #include <ctime>
 #include <utility>
 
-#include "matrix/cell_json.h"
 #include "matrix/cell_pictures.h"
+#include "matrix/digest.h"
+#include "matrix/stored_cell.h"
 
 namespace gnomon {
 namespace {
@@ -23,15 +24,12 @@ StoredSession sessionOf(const RunMaker& maker, const std::string& command) {
             .host = host.data()};
 }
 
-/// The cell that @p stored holds; nothing if it is not what was written.
-std::optional<Cell> cellIn(const StoredCell& stored) {
-    try {
-        Cell cell = cellFromJson(nlohmann::ordered_json::parse(stored.cell));
-        if (contentDigest(cell) == stored.digest) return cell;
-    } catch (const std::exception&) {
-        // A text that is no cell is as damaged as one that says something else.
-    }
-    return std::nullopt;
+/// What of @p there a run that goes on must not have in common: of another program no cell is taken, and
+/// limits matter to failed cells only.
+RunSettings comparable(RunSettings asked, const RunSettings& there, bool withLimits) {
+    asked = withSetting(std::move(asked), "program", settingOf(there, "program"));
+    if (!withLimits) asked = withLimitsOf(std::move(asked), there);
+    return asked;
 }
 
 }  // namespace
@@ -54,11 +52,8 @@ RunStore::RunStore(const std::filesystem::path& folder, const MatrixRequest& req
 void RunStore::begin(const RunSettings& asked, bool retries) {
     const RunSettings there = m_store.settings();
     if (!there.empty()) {
-        // Of another program no cell is taken, but the run is the same.
-        RunSettings like = withSetting(asked, "program", settingOf(there, "program"));
-        if (retries)
-            for (const char* limit : {"timeout", "memory"})
-                like = withSetting(like, limit, settingOf(there, limit));
+        const bool hasFailed = m_store.countByVerdict().contains(name(Verdict::Failed));
+        const RunSettings like = comparable(asked, there, hasFailed && !retries);
         if (const std::string difference = differenceOf(there, like); !difference.empty())
             throw StoreError(fmt::format("{}: the run there has other settings ({})",
                                          m_store.folder().string(), difference));
@@ -67,16 +62,22 @@ void RunStore::begin(const RunSettings& asked, bool retries) {
 }
 
 void RunStore::takeOwn(bool retries) {
+    const std::filesystem::path& pictures = m_list.request().pictureFolder;
     std::vector<std::size_t> stale;
     m_store.forEach([&](const StoredCell& stored) {
         const bool isOurs = stored.place < m_list.count() && m_keys.of(stored.place) == stored.key;
         auto cell = isOurs ? cellIn(stored) : std::nullopt;
         const bool isRetried = cell && retries && cell->verdict == Verdict::Failed;
-        if (!cell || isRetried) {
-            ++(!isOurs ? m_counts.changed : isRetried ? m_counts.retried : m_counts.damaged);
+        const bool isBare = cell && !pictures.empty() && !hasPictures(pictures, cell->digest);
+        if (!cell || isRetried || isBare) {
+            ++(!isOurs     ? m_counts.changed
+               : !cell     ? m_counts.damaged
+               : isRetried ? m_counts.retried
+                           : m_counts.bare);
             stale.push_back(stored.place);
             return;
         }
+        m_digests[stored.place] = stored.digest;
         m_known.emplace(stored.place, std::move(*cell));
         ++m_counts.known;
     });
@@ -103,6 +104,7 @@ void RunStore::takeFrom(const std::filesystem::path& folder) {
         StoredCell mine = stored;
         mine.place = at->second;
         m_store.put(mine);
+        m_digests[mine.place] = mine.digest;
         m_known.emplace(mine.place, std::move(*cell));
         ++m_counts.reused;
     });
@@ -115,12 +117,18 @@ std::optional<Cell> RunStore::take(std::size_t place) {
 }
 
 void RunStore::keep(std::size_t place, const Cell& cell, double seconds) {
-    m_store.put({.place = place,
-                 .key = m_keys.of(place),
-                 .verdict = name(cell.verdict),
-                 .seconds = seconds,
-                 .digest = contentDigest(cell),
-                 .cell = toJson(cell).dump()});
+    const StoredCell stored = storedCell(place, m_keys.of(place), cell, seconds);
+    m_store.put(stored);
+    m_digests[place] = stored.digest;
+}
+
+void RunStore::finish() {
+    Digest digest;
+    for (const auto& [place, one] : m_digests) digest.add(one);
+    if (digest.text() != m_store.digest())
+        throw StoreError(fmt::format("{}: {} is damaged: it has not what was written",
+                                     m_store.folder().string(), CellStore::kFile));
+    m_store.finish();
 }
 
 }  // namespace gnomon

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -33,14 +34,15 @@ class RunStore {
     /// @throws StoreError
     void keep(std::size_t place, const Cell& cell, double seconds);
     /// All are kept.
-    void finish() { m_store.finish(); }
+    /// @throws StoreError  what is there by now is not what was taken and kept
+    void finish();
 
     /// What became of cells that were there.
     struct Counts {
         std::size_t known = 0, reused = 0;  ///< taken from this store, from the other
         std::size_t changed = 0;            ///< their content is another by now
         std::size_t damaged = 0;            ///< what stands there is no longer what was written
-        std::size_t retried = 0;
+        std::size_t retried = 0, bare = 0;  ///< failed and drawn again, without their pictures
     };
     const Counts& counts() const { return m_counts; }
     const CellStore& store() const { return m_store; }
@@ -54,6 +56,7 @@ class RunStore {
     ContentKeys m_keys;
     CellStore m_store;
     std::unordered_map<std::size_t, Cell> m_known{};
+    std::map<std::size_t, std::uint64_t> m_digests{};  ///< of all cells that are in the store now, by place
     Counts m_counts{};
 };
 

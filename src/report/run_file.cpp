@@ -13,6 +13,7 @@
 #include "gl/device.h"
 #include "matrix/cell_json.h"
 #include "matrix/merge.h"
+#include "matrix/stored_cell.h"
 #include "predict/causes.h"
 
 namespace gnomon {
@@ -306,6 +307,7 @@ static RunRecord readStored(const std::filesystem::path& folder) {
     if (const std::string there = missingOf(store); !there.empty())
         throw RunError(fmt::format("{}: the run is not at its end: {} are there", run.file, there));
     store.forEach([&](const StoredCell& stored) {
+        if (!cellIn(stored)) throw RunError(fmt::format("{}: cell {} is damaged", run.file, stored.place));
         try {
             run.cells.push_back(cellOf(Json::parse(stored.cell)));
         } catch (const std::exception& error) {

@@ -159,5 +159,14 @@ TEST_F(Check, JUnitIsXmlWithACaseForEveryCell) {
     }
 }
 
+// A machine that is too slow, or a driver that crashes, is nothing to expect.
+TEST_F(Check, UpdateKeepsTheFileWhereCellsHaveFailed) {
+    const std::string text = fileOfCells();
+    const Outcome outcome = check({"--update", "--timeout", "1e-6"});
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("expected.txt stays as it is: 4 of its cells have failed"));
+    EXPECT_EQ(contentOf(pathOf("expected.txt")), text);
+}
+
 }  // namespace check_test
 }  // namespace gnomon

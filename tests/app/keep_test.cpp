@@ -132,7 +132,6 @@ TEST_F(Keep, RefusesToGoOnWithOtherSettings) {
             "profiles: with ps2, without voodoo2, tnt; cells: 84, there 126");
     refused(with(with(with(scene, size), chips), {"--shard", "1/2"}),
             "shard: 1/2, there 1/1; cells: 63, there 126");
-    refused(with(with(with(scene, size), chips), {"--timeout", "5"}), "timeout: 5 s, there 900 s");
     EXPECT_EQ(keep("run").status, 0);
 }
 
@@ -298,6 +297,86 @@ TEST_F(Keep, ADamagedCellIsDrawnAgain) {
     EXPECT_THAT(outcome.err, HasSubstr("run: 1 cell damaged; drawn again\n"));
     EXPECT_THAT(outcome.out, HasSubstr("125 of them from before"));
     EXPECT_EQ(digestIn("run"), digest);
+}
+
+TEST_F(Keep, AnAlteredShardIsNeitherMergedNorReported) {
+    keep("run");
+    for (const auto& [from, to] : {std::pair{"\"verdict\":\"exact\"", "\"verdict\":\"wrong\""},
+                                   std::pair{"\"pixels\":768", "\"pixels\":769"}}) {
+        const std::string good = contentOf(pathOf("run/run.sqlite"));
+        std::string content = good;
+        const std::size_t at = content.find(from);
+        ASSERT_NE(at, std::string::npos);
+        write("run/run.sqlite", content.replace(at, std::string(to).size(), to));
+        expectRefused(run({"merge", pathOf("run"), "--out", pathOf("whole")}),
+                      "is damaged; the command that drew it draws it again");
+        expectRefused(run({"report", pathOf("run"), "-o", pathOf("page.html")}), " is damaged");
+        write("run/run.sqlite", good);
+    }
+    EXPECT_EQ(run({"merge", pathOf("run"), "--out", pathOf("whole")}).status, 0);
+}
+
+// Two pointers of a page to its cells are exchanged, or one stands there twice: SQLite itself reads on.
+TEST_F(Keep, AStoreWhoseOrderIsDamagedIsRefused) {
+    keep("run");
+    const std::string good = contentOf(pathOf("run/run.sqlite"));
+    constexpr std::size_t kPage = 4096, kHeader = 8;
+    constexpr char kLeaf = 13;
+    int damaged = 0;
+    for (std::size_t page = good.size() / 2 / kPage * kPage; page < good.size() && damaged < 4;
+         page += kPage) {
+        if (good[page] != kLeaf || good[page + 4] < 3) continue;
+        for (const bool isExchange : {true, false}) {
+            std::string content = good;
+            for (std::size_t byte = 0; byte < 2; ++byte) {
+                content[page + kHeader + 2 + byte] = good[page + kHeader + 4 + byte];
+                if (isExchange) content[page + kHeader + 4 + byte] = good[page + kHeader + 2 + byte];
+            }
+            write("run/run.sqlite", content);
+            expectRefused(keep("run"), "run: run.sqlite is damaged (");
+            ++damaged;
+        }
+    }
+    EXPECT_EQ(damaged, 4);
+}
+
+TEST_F(Keep, CellsWithoutTheirPicturesAreDrawnAgain) {
+    keep("run");
+    const std::string digest = digestIn("run");
+    std::set<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(pathOf("run/pictures")))
+        names.insert(entry.path().filename());
+    std::filesystem::remove(pathOf("run/pictures/" + *names.begin()));
+    expectRefused(run({"merge", pathOf("run"), "--out", pathOf("whole")}), "run: a picture of ");
+    const Outcome outcome = keep("run");
+    EXPECT_EQ(outcome.status, 0);
+    EXPECT_THAT(outcome.err, testing::ContainsRegex("run: [0-9]+ cells? without pictures; drawn again\n"));
+    EXPECT_TRUE(std::filesystem::exists(pathOf("run/pictures/" + *names.begin())));
+    EXPECT_EQ(digestIn("run"), digest);
+}
+
+// Nothing at all, as where both were made by a shell that has gone.
+TEST_F(Keep, WithoutOutputsAStatusIsLeft) {
+    EXPECT_EQ(shell("\"$1\" profiles >&- 2>&-").status, 2);
+    EXPECT_EQ(shell("\"$1\" profiles >/dev/full 2>/dev/full").status, 2);
+}
+
+TEST_F(Keep, AFolderIsNoUri) {
+    std::filesystem::current_path(std::filesystem::path(pathOf("")));
+    const Outcome outcome = run(with(kCells, {"--out", "file:run?mode=ro"}));
+    std::filesystem::current_path("/");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(CellStore::toRead(pathOf("file:run?mode=ro")).count(), 126u);
+}
+
+// Limits decide of nothing where no cell has failed by them.
+TEST_F(Keep, LimitsMayDifferWhereNothingHasFailed) {
+    keep("run");
+    EXPECT_THAT(keep("run", {"--timeout", "77"}).out, HasSubstr("126 of them from before"));
+    for (const char* index : {"1/2", "2/2"})
+        keep(fmt::format("s{}", index[0]), {"--shard", index, "--timeout", fmt::format("10{}", index[0])});
+    EXPECT_EQ(run({"merge", pathOf("s1"), pathOf("s2"), "--out", pathOf("whole")}).status, 0);
+    EXPECT_EQ(digestIn("whole"), digestIn("run"));
 }
 
 TEST_F(Keep, ADamagedStoreIsRefused) {

@@ -8,6 +8,7 @@
 #include <signal.h>
 
 #include <fstream>
+#include <sstream>
 
 #include "process/child.h"
 #include "process/die_of.h"
@@ -179,16 +180,6 @@ TEST(CellStore, RefusesWhatIsNone) {
     EXPECT_THAT(refusalOf([&] { CellStore::toWrite("/proc/gnomon"); }), StartsWith("/proc/gnomon: "));
 }
 
-// As a killed process leaves it that had only just made the file.
-TEST(CellStore, TakesAnEmptyFileForOneThatHasNotBegun) {
-    const TemporaryFolder folder;
-    std::filesystem::create_directory(folder / "run");
-    std::ofstream(folder / "run" / CellStore::kFile).close();
-    CellStore store = CellStore::toWrite(folder / "run");
-    store.put(cellAt(1));
-    EXPECT_EQ(store.count(), 1u);
-}
-
 /// A store of @p cells cells that is at its end.
 std::filesystem::path finished(const TemporaryFolder& folder, std::size_t cells) {
     const auto path = folder / "run";
@@ -200,6 +191,38 @@ std::filesystem::path finished(const TemporaryFolder& folder, std::size_t cells)
     }
     store.finish();
     return path;
+}
+
+std::string bytesOf(const std::filesystem::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+// Neither a store of a later gnomon nor somebody else's database is written to by being refused.
+TEST(CellStore, LeavesWhatItRefusesAsItIs) {
+    const TemporaryFolder folder;
+    const auto path = finished(folder, 3);
+    const std::string good = bytesOf(path / CellStore::kFile);
+    constexpr std::size_t kFormatByte = 63, kApplicationByte = 71;  // the last of four each
+    for (const auto& [byte, what] :
+         {std::pair{kFormatByte, "has format 99"}, std::pair{kApplicationByte, "is no store of gnomon"}}) {
+        std::string content = good;
+        content[byte] = 99;
+        std::ofstream(path / CellStore::kFile, std::ios::binary) << content;
+        EXPECT_THAT(refusalOf([&] { CellStore::toWrite(path); }), HasSubstr(what));
+        EXPECT_EQ(bytesOf(path / CellStore::kFile), content) << what;
+    }
+}
+
+// As a killed process leaves it that had only just made the file.
+TEST(CellStore, TakesAnEmptyFileForOneThatHasNotBegun) {
+    const TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "run");
+    std::ofstream(folder / "run" / CellStore::kFile).close();
+    CellStore store = CellStore::toWrite(folder / "run");
+    store.put(cellAt(1));
+    EXPECT_EQ(store.count(), 1u);
 }
 
 TEST(CellStore, IsOneFileAtItsEnd) {
